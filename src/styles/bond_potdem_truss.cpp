@@ -1,0 +1,520 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "bond_potdem_truss.h"
+
+#include "lammps_compat.h"
+#include "laws/lattice_area.h"
+#include "laws/truss.h"
+#include "potdem_bond_store.h"
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+// LAMMPS's own allowance for the stretch of bonds in its communication cutoff
+static constexpr double STRETCH_ALLOWANCE = 1.5;
+static constexpr double UNBREAKABLE = 1e300;
+// lattice distances are recognised within this fraction
+static constexpr double SHELL_TOLERANCE = 1e-3;
+
+static double distance2(const double *a, const double *b)
+{
+  const double dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/* ---------------------------------------------------------------------- */
+
+BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
+    Bond(lmp), breakable(false), hindered(false), damped(false), bond_store(nullptr), generation(-1),
+    longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
+{
+  partial_flag = 1;
+  writedata = 1;
+}
+
+BondPotdemTruss::~BondPotdemTruss()
+{
+  if (allocated) memory->destroy(setflag);
+}
+
+void BondPotdemTruss::settings(int narg, char **arg)
+{
+  if (narg > 0) error->all(FLERR, "bond_style potdem/truss: unknown keyword '{}', it takes none", arg[0]);
+}
+
+void BondPotdemTruss::allocate()
+{
+  allocated = 1;
+  const int n = atom->nbondtypes + 1;
+  memory->create(setflag, n, "bond:setflag");
+  std::fill(setflag, setflag + n, 0);
+  coeffs.assign(n, Coeff{});
+  factors.assign(n, POTDEM::Penetration());
+}
+
+/* ----------------------------------------------------------------------
+   N  E  area factor a | area lattice  [penetration m [normalized]] [damping xi]
+------------------------------------------------------------------------- */
+
+void BondPotdemTruss::coeff(int narg, char **arg)
+{
+  if (!allocated) allocate();
+  PotdemInput input(lmp, "bond_coeff potdem/truss", narg, arg);
+  int lo, hi;
+  utils::bounds(FLERR, input.word(), 1, atom->nbondtypes, lo, hi, error);
+  Coeff c{};
+  c.E = input.positive("E");
+  if (!input.next_is("area")) {
+    input.word();
+    input.unknown("area");
+  }
+  if (input.next_is("factor")) {
+    c.mode = FACTOR;
+    c.area = input.positive("area factor a");
+  } else if (input.next_is("lattice")) {
+    c.mode = LATTICE;
+  } else {
+    input.word();
+    input.unknown("area factor or area lattice");
+  }
+  while (!input.done()) {
+    if (input.next_is("penetration")) {
+      c.m = input.exponent("penetration m");
+      c.normalized = input.next_is("normalized");
+    } else if (input.next_is("damping")) {
+      c.xi = input.nonnegative("damping xi");
+    } else {
+      input.word();
+      input.unknown("penetration or damping");
+    }
+  }
+  for (int type = lo; type <= hi; type++) {
+    coeffs[type] = c;
+    setflag[type] = 1;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void BondPotdemTruss::init_style()
+{
+  if (!atom->radius_flag)
+    error->all(FLERR, "bond_style potdem/truss needs particle diameters, e.g. atom_style hybrid bond sphere");
+  if (force->newton_bond)
+    error->all(FLERR, "bond_style potdem/truss needs newton off for bonds: make the bonds with potdem_bonds, "
+               "or put 'newton on off' before the box is created");
+  bond_store = PotdemBondStore::ensure(lmp);
+  bond_store->turn_off_failed();
+  generation = -1;
+
+  hindered = damped = breakable = false;
+  for (int type = 1; type <= atom->nbondtypes; type++) {
+    if (!setflag[type]) continue;
+    if (coeffs[type].m > 0) {
+      hindered = true;
+      factors[type] = POTDEM::Penetration(coeffs[type].m, coeffs[type].normalized);
+    }
+    if (coeffs[type].xi > 0.0) damped = true;
+  }
+  tension2.assign(atom->nbondtypes + 1, UNBREAKABLE);
+  compression2.assign(atom->nbondtypes + 1, 0.0);
+  if (damped) comm->ghost_velocity = 1;
+  set_communication();
+}
+
+/* ----------------------------------------------------------------------
+   ghosts must reach the far end of every bond, stretched; a user's own comm_modify cutoff is kept if
+   it covers the bonds as they are
+------------------------------------------------------------------------- */
+
+void BondPotdemTruss::set_communication()
+{
+  longest = MAX(bond_store->longest(), estimate_longest());
+  const double need = longest + neighbor->skin;
+  const bool users = comm->cutghostuser > 0.0 && comm->cutghostuser != cutghost_own;
+  if (users && comm->cutghostuser < need)
+    error->all(FLERR, "bond_style potdem/truss: the longest bond ({}) and the neighbour skin ({}) are beyond the "
+               "communication cutoff {}; increase it with comm_modify cutoff, or leave it out",
+               longest, neighbor->skin, comm->cutghostuser);
+  if (!users) comm->cutghostuser = cutghost_own = STRETCH_ALLOWANCE * longest + neighbor->skin;
+}
+
+// bonds that are not measured yet, as far as their partners are known before the first run
+double BondPotdemTruss::estimate_longest() const
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      const int j = atom->map(atom->bond_atom[i][m]);
+      if (bond_store->length(i, m) != 0.0 || j < 0) continue;
+      double del[3] = {atom->x[i][0] - atom->x[j][0], atom->x[i][1] - atom->x[j][1],
+                       atom->x[i][2] - atom->x[j][2]};
+      PotdemCompat::minimum_image(domain, del);
+      mine = MAX(mine, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]));
+    }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+double BondPotdemTruss::equilibrium_distance(int /*type*/)
+{
+  return longest;
+}
+
+void BondPotdemTruss::set_strength(int type, double tension, double compression)
+{
+  const Coeff &c = coeffs[type];
+  const POTDEM::Penetration *factor = c.m > 0 ? &factors[type] : nullptr;
+  if (tension > 0.0) tension2[type] = POTDEM::truss_stretch_at(tension / c.E, factor);
+  if (compression > 0.0) compression2[type] = POTDEM::truss_stretch_at(-compression / c.E, factor);
+  breakable = true;
+}
+
+/* ----------------------------------------------------------------------
+   after each rebuild of LAMMPS's bond list: what the loop needs, contiguous and in its order
+------------------------------------------------------------------------- */
+
+void BondPotdemTruss::pack()
+{
+  generation = bond_store->generation;
+  bond_store->measure_new_bonds();
+  for (int type = 1; type <= atom->nbondtypes; type++)
+    if (setflag[type] && coeffs[type].mode == LATTICE && coeffs[type].area == 0.0) find_lattice(type);
+  order_bonds();
+
+  const std::size_t n = bonds.partner.size();
+  bonds.inverse_length2.resize(n);
+  bonds.half_modulus.resize(n);
+  bonds.dashpot.resize(damped ? n : 0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    for (int k = bonds.first[i]; k < bonds.first[i + 1]; k++) {
+      const int j = bonds.partner[k], type = bonds.type[k];
+      const int slot = bond_store->slot(i, atom->tag[j]);
+      const double re = bond_store->length(i, slot);
+      const double modulus = coeffs[type].E * section(type, i, slot);
+      bonds.inverse_length2[k] = 1.0 / (re * re);
+      bonds.half_modulus[k] = 0.5 * modulus;
+      if (j >= atom->nlocal) check_reach(i, j, re);
+      if (damped) {
+        const double mi = atom->rmass[i], mj = atom->rmass[j];
+        bonds.dashpot[k] = 2.0 * coeffs[type].xi * sqrt(modulus / re * mi * mj / (mi + mj));
+      }
+    }
+  }
+  over.clear();
+}
+
+// LAMMPS lists the bonds by owned atom already; within one atom the ghosts go last
+void BondPotdemTruss::order_bonds()
+{
+  int **list = neighbor->bondlist;
+  const int nlist = neighbor->nbondlist, nlocal = atom->nlocal;
+  bonds.first.assign(nlocal + 1, 0);
+  bonds.ghosts.assign(nlocal, 0);
+  for (int k = 0; k < nlist; k++) {
+    if (list[k][2] <= 0) continue;
+    bonds.first[list[k][0] + 1]++;
+    if (list[k][1] < nlocal) bonds.ghosts[list[k][0]]++;
+  }
+  for (int i = 0; i < nlocal; i++) {
+    bonds.first[i + 1] += bonds.first[i];
+    bonds.ghosts[i] += bonds.first[i];
+  }
+  const int n = bonds.first[nlocal];
+  bonds.partner.resize(n);
+  bonds.type.resize(n);
+  bonds.listed.resize(n);
+  std::vector<int> owned(bonds.first.begin(), bonds.first.end() - 1), ghost = bonds.ghosts;
+  for (int k = 0; k < nlist; k++) {
+    if (list[k][2] <= 0) continue;
+    const int i = list[k][0];
+    const int at = list[k][1] < nlocal ? owned[i]++ : ghost[i]++;
+    bonds.partner[at] = list[k][1];
+    bonds.type[at] = list[k][2];
+    bonds.listed[at] = k;
+  }
+}
+
+// before the bond's far end leaves the ghosts and LAMMPS can only say that an atom is missing
+void BondPotdemTruss::check_reach(int i, int j, double re) const
+{
+  const double r = sqrt(distance2(atom->x[i], atom->x[j]));
+  const double cutoff = MAX(comm->cutghostuser, neighbor->cutneighmax);
+  if (r + neighbor->skin > cutoff)
+    error->one(FLERR,
+               "Bond between atoms {} and {} is {} long (reference {}): with the neighbour skin {} it is "
+               "beyond the communication cutoff {}; increase it with comm_modify cutoff, or let bonds fail "
+               "with fix potdem/failure",
+               atom->tag[i], atom->tag[j], r, re, neighbor->skin, cutoff);
+}
+
+double BondPotdemTruss::section(int type, int i, int slot) const
+{
+  const Coeff &c = coeffs[type];
+  return c.mode == LATTICE ? c.area : c.area * bond_store->section(i, slot);
+}
+
+/* ----------------------------------------------------------------------
+   area lattice: the lattice is read off the bonds of the particle that has most of them
+------------------------------------------------------------------------- */
+
+void BondPotdemTruss::find_lattice(int type)
+{
+  struct {
+    int count, rank;
+  } mine = {0, comm->me}, most;
+  int chosen = -1;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int *types = atom->bond_type[i];
+    const int count = std::count(types, types + atom->num_bond[i], type);
+    if (count > mine.count) {
+      mine.count = count;
+      chosen = i;
+    }
+  }
+  MPI_Allreduce(&mine, &most, 1, MPI_2INT, MPI_MAXLOC, world);
+  if (most.count == 0) return;
+
+  double found[3] = {0.0, 0.0, 0.0};    // section, nearest neighbours, bonds per particle
+  if (comm->me == most.rank) lattice_section(type, chosen, found);
+  MPI_Bcast(found, 3, MPI_DOUBLE, most.rank, world);
+  if (found[0] <= 0.0)
+    error->all(FLERR,
+               "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc or fcc lattice with "
+               "enough bonds to be stiff; the particle with most bonds has {} and {} nearest neighbours: use "
+               "area factor", type, most.count, static_cast<int>(found[1]));
+  coeffs[type].area = found[0];
+  if (comm->me == 0)
+    utils::logmesg(lmp, "bond_style potdem/truss: bond type {}: lattice with {} nearest neighbours and {} bonds "
+                   "per particle, section {:.8g}\n", type, static_cast<int>(found[1]),
+                   static_cast<int>(found[2]), found[0]);
+}
+
+// section: 0 if the bonds of this particle are not those of a lattice we know
+void BondPotdemTruss::lattice_section(int type, int i, double *found) const
+{
+  std::vector<double> lengths;
+  for (int m = 0; m < atom->num_bond[i]; m++)
+    if (atom->bond_type[i][m] == type) lengths.push_back(bond_store->length(i, m));
+  std::sort(lengths.begin(), lengths.end());
+  const double spacing = lengths.front();
+  const int nearest = std::count_if(lengths.begin(), lengths.end(), [spacing](double length) {
+    return length < spacing * (1.0 + SHELL_TOLERANCE);
+  });
+  found[1] = nearest;
+  const auto lattice = POTDEM::lattice_of(nearest);
+  if (lattice == POTDEM::Lattice::NONE || (nearest == 12 && !centred(type, i, spacing))) return;
+  for (const double length : lengths)
+    if (!POTDEM::is_shell(lattice, length / spacing, SHELL_TOLERANCE)) return;
+  const auto answer = POTDEM::lattice_area(lattice, lengths.back() / spacing);
+  found[2] = answer.bonds;
+  if (std::isfinite(answer.area_factor) && answer.area_factor > 0.0)
+    found[0] = answer.area_factor * POTDEM::truss_section(spacing);
+}
+
+// fcc, unlike hcp, has every nearest neighbour face another one
+bool BondPotdemTruss::centred(int type, int i, double spacing) const
+{
+  double sum[3] = {0.0, 0.0, 0.0};
+  int opposite = 0;
+  std::vector<const double *> near;
+  for (int m = 0; m < atom->num_bond[i]; m++)
+    if (atom->bond_type[i][m] == type && bond_store->length(i, m) < spacing * (1.0 + SHELL_TOLERANCE))
+      near.push_back(atom->x[domain->closest_image(i, atom->map(atom->bond_atom[i][m]))]);
+  for (const double *a : near)
+    for (const double *b : near) {
+      for (int k = 0; k < 3; k++) sum[k] = a[k] + b[k] - 2.0 * atom->x[i][k];
+      if (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] < 0.01 * spacing * spacing) opposite++;
+    }
+  return opposite == static_cast<int>(near.size());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void BondPotdemTruss::compute(int eflag, int vflag)
+{
+  ev_init(eflag, vflag);
+  if (generation != bond_store->generation) {
+    pack();
+    choose_kernels();
+  }
+  over.clear();
+  (this->*(evflag ? tallied : quiet))();
+}
+
+// the smallest kernel that the coefficients and the failure fixes need
+void BondPotdemTruss::choose_kernels()
+{
+  if (hindered)
+    damped ? choose<true, true>() : choose<true, false>();
+  else
+    damped ? choose<false, true>() : choose<false, false>();
+}
+
+template <bool HINDER, bool DAMP> void BondPotdemTruss::choose()
+{
+  if (breakable) {
+    quiet = &BondPotdemTruss::kernel<false, true, HINDER, DAMP>;
+    tallied = &BondPotdemTruss::kernel<true, true, HINDER, DAMP>;
+  } else {
+    quiet = &BondPotdemTruss::kernel<false, false, HINDER, DAMP>;
+    tallied = &BondPotdemTruss::kernel<true, false, HINDER, DAMP>;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the loop over bonds: one atom at a time, its force kept in registers
+------------------------------------------------------------------------- */
+
+template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel()
+{
+  const auto *const x = (const double (*)[3]) atom->x[0];
+  const auto *const v = (const double (*)[3]) atom->v[0];
+  auto *const f = (double (*)[3]) atom->f[0];
+  const int *const partner = bonds.partner.data();
+  const int *const type = bonds.type.data();
+  const double *const inverse_length2 = bonds.inverse_length2.data();
+  const double *const half_modulus = bonds.half_modulus.data();
+  const int nlocal = atom->nlocal;
+
+  for (int i = 0; i < nlocal; i++) {
+    const int begin = bonds.first[i], end = bonds.first[i + 1], ghosts = bonds.ghosts[i];
+    if (begin == end) continue;
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2];
+    double fx = 0.0, fy = 0.0, fz = 0.0;
+    for (int n = begin; n < end; n++) {
+      const int j = partner[n];
+      const double dx = x[j][0] - xi, dy = x[j][1] - yi, dz = x[j][2] - zi;
+      const double r2 = dx * dx + dy * dy + dz * dz;
+      const double q = r2 * inverse_length2[n];
+      if (FAIL && (q >= tension2[type[n]] || q <= compression2[type[n]])) over.push_back({i, n});
+
+      // tension over distance; 2 eps = q - 1
+      const double inverse_r = 1.0 / sqrt(r2);
+      double pull = half_modulus[n] * (q - 1.0) * inverse_r;
+      if (HINDER && coeffs[type[n]].m > 0) pull *= factors[type[n]].value(sqrt(q));
+      if (EV) tally(i, j, n, q, pull, dx, dy, dz);
+      if (DAMP)
+        pull += bonds.dashpot[n] * inverse_r * inverse_r *
+            ((v[j][0] - v[i][0]) * dx + (v[j][1] - v[i][1]) * dy + (v[j][2] - v[i][2]) * dz);
+
+      const double px = pull * dx, py = pull * dy, pz = pull * dz;
+      fx += px;
+      fy += py;
+      fz += pz;
+      if (n < ghosts) {
+        f[j][0] -= px;
+        f[j][1] -= py;
+        f[j][2] -= pz;
+      }
+    }
+    f[i][0] += fx;
+    f[i][1] += fy;
+    f[i][2] += fz;
+  }
+}
+
+void BondPotdemTruss::tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz)
+{
+  const double energy = eflag_either ? energy_at(n, q) : 0.0;
+  ev_tally(i, j, atom->nlocal, 0, energy, -pull, -dx, -dy, -dz);
+}
+
+double BondPotdemTruss::energy_at(int n, double q) const
+{
+  const int type = bonds.type[n];
+  const double re = 1.0 / sqrt(bonds.inverse_length2[n]);
+  return law(type, sqrt(q) * re, re, 2.0 * bonds.half_modulus[n]).energy;
+}
+
+POTDEM::Evaluation BondPotdemTruss::law(int type, double r, double re, double modulus) const
+{
+  return coeffs[type].m > 0 ? POTDEM::truss(r, re, modulus, factors[type]) : POTDEM::truss(r, re, modulus);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double BondPotdemTruss::stretch2(int i, int n) const
+{
+  return distance2(atom->x[i], atom->x[bonds.partner[n]]) * bonds.inverse_length2[n];
+}
+
+double BondPotdemTruss::bond_energy(int i, int n) const
+{
+  return energy_at(n, stretch2(i, n));
+}
+
+// a bond of zero stiffness and type 0 (which has no strength) until the list is rebuilt
+void BondPotdemTruss::cut(int i, tagint partner)
+{
+  for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
+    if (atom->tag[bonds.partner[n]] != partner) continue;
+    bonds.half_modulus[n] = 0.0;
+    bonds.type[n] = 0;
+    if (damped) bonds.dashpot[n] = 0.0;
+    if (force->bond == this) neighbor->bondlist[bonds.listed[n]][2] = 0;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double BondPotdemTruss::single(int type, double rsq, int i, int j, double &fforce)
+{
+  fforce = 0.0;
+  if (type <= 0) return 0.0;
+  const int owned = i < atom->nlocal ? i : j, other = owned == i ? j : i;
+  const int slot = bond_store->slot(owned, atom->tag[other]);
+  if (slot < 0 || bond_store->length(owned, slot) <= 0.0) return 0.0;
+  const double r = sqrt(rsq);
+  const auto at = law(type, r, bond_store->length(owned, slot), coeffs[type].E * section(type, owned, slot));
+  fforce = at.force / r;
+  return at.energy;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void BondPotdemTruss::write_restart(FILE *fp)
+{
+  fwrite(&coeffs[1], sizeof(Coeff), atom->nbondtypes, fp);
+}
+
+void BondPotdemTruss::read_restart(FILE *fp)
+{
+  allocate();
+  const int n = atom->nbondtypes;
+  if (comm->me == 0) utils::sfread(FLERR, &coeffs[1], sizeof(Coeff), n, fp, nullptr, error);
+  MPI_Bcast(&coeffs[1], n * sizeof(Coeff), MPI_BYTE, 0, world);
+  std::fill(setflag + 1, setflag + n + 1, 1);
+}
+
+void BondPotdemTruss::write_data(FILE *fp)
+{
+  for (int type = 1; type <= atom->nbondtypes; type++) {
+    const Coeff &c = coeffs[type];
+    std::string line = fmt::format("{} {:.17g} area ", type, c.E);
+    line += c.mode == LATTICE ? "lattice" : fmt::format("factor {:.17g}", c.area);
+    if (c.m > 0) line += fmt::format(" penetration {}{}", c.m, c.normalized ? " normalized" : "");
+    if (c.xi > 0.0) line += fmt::format(" damping {:.17g}", c.xi);
+    utils::print(fp, "{}\n", line);
+  }
+}
+
+double BondPotdemTruss::memory_usage()
+{
+  const double per_bond = 3.0 * sizeof(int) + (damped ? 3.0 : 2.0) * sizeof(double);
+  return per_bond * bonds.partner.capacity() + 2.0 * sizeof(int) * bonds.first.capacity();
+}

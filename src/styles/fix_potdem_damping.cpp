@@ -1,0 +1,92 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Numerical damping (thesis eq. 5.30, after Cundall):  Fd = -lambda F sgn(F.v), F the total force on the
+   particle; by component: -lambda |Fk| sgn(vk). sgn(0) = 0. 0 <= lambda < 1. */
+
+#include "fix_potdem_damping.h"
+
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "error.h"
+#include "modify.h"
+
+#include <cctype>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static double sign(double value)
+{
+  return (value > 0.0) - (value < 0.0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), lambda(0.0), by_component(false)
+{
+  dynamic_group_allow = 1;
+  PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
+  lambda = input.nonnegative("lambda");
+  if (lambda >= 1.0) input.fail(fmt::format("lambda = {} is out of range, it must be < 1", lambda));
+  while (!input.done()) {
+    if (!input.next_is("form")) {
+      input.word();
+      input.unknown("form");
+    }
+    if (input.next_is("vector"))
+      by_component = false;
+    else if (input.next_is("component"))
+      by_component = true;
+    else {
+      input.word();
+      input.unknown("vector or component");
+    }
+  }
+}
+
+int FixPotdemDamping::setmask()
+{
+  return POST_FORCE;
+}
+
+/* ----------------------------------------------------------------------
+   it must see every other force; LAMMPS's own bookkeeping fixes (upper case) add none
+------------------------------------------------------------------------- */
+
+void FixPotdemDamping::init()
+{
+  bool after = false;
+  for (const auto &other : modify->get_fix_list()) {
+    if (other == this) {
+      after = true;
+    } else if (after && (other->setmask() & POST_FORCE) && !isupper(other->style[0])) {
+      error->all(FLERR, "Fix potdem/damping {} acts on the total force, but fix {} ({}) comes after it and may change "
+                 "the force; define fix {} last", id, other->id, other->style, id);
+    }
+  }
+}
+
+void FixPotdemDamping::setup(int vflag)
+{
+  post_force(vflag);
+}
+
+void FixPotdemDamping::post_force(int /*vflag*/)
+{
+  double **v = atom->v, **f = atom->f;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (by_component) {
+      for (int k = 0; k < 3; k++) f[i][k] -= lambda * fabs(f[i][k]) * sign(v[i][k]);
+    } else {
+      const double s = 1.0 - lambda * sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
+      for (int k = 0; k < 3; k++) f[i][k] *= s;
+    }
+  }
+}

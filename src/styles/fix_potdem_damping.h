@@ -1,0 +1,28 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#ifndef LMP_FIX_POTDEM_DAMPING_H
+#define LMP_FIX_POTDEM_DAMPING_H
+
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixPotdemDamping : public Fix {
+ public:
+  FixPotdemDamping(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+
+ private:
+  double lambda;
+  bool by_component;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,215 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Failure of trusses (thesis 5.2.4): a bond whose axial stress reached its strength at one step is gone
+   from the next step on, for good.
+
+   The bond loop notes which bonds are overstretched while it computes their force. Before the forces of
+   the next step, the rank that owns the end with the lower ID decides, all ranks are told, and each
+   removes the bond where it holds it: no two ranks can disagree by rounding. The elastic energy that
+   the bond has at that moment is the fracture energy. Nothing is removed during set-up. */
+
+#include "fix_potdem_failure.h"
+
+#include "bond_potdem_truss.h"
+#include "lammps_compat.h"
+#include "laws/truss.h"
+#include "potdem_bond_store.h"
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "force.h"
+#include "update.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
+
+/* ---------------------------------------------------------------------- */
+
+FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
+    FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
+    ntension(0.0), ncompression(0.0), energy(0.0), bond(nullptr), bond_store(nullptr)
+{
+  PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
+  static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "Failure is a row of doubles");
+  btype = static_cast<int>(input.positive("bond type"));
+  if (btype > atom->nbondtypes)
+    input.fail(fmt::format("bond type {} does not exist, there are {}", btype, atom->nbondtypes));
+  while (!input.done()) {
+    if (input.next_is("tension"))
+      tension = input.positive("tension strength");
+    else if (input.next_is("compression"))
+      compression = input.positive("compression strength");
+    else {
+      input.word();
+      input.unknown("tension or compression");
+    }
+  }
+  if (tension < 0.0 && compression < 0.0) input.fail("give a strength: tension ft, compression fc, or both");
+
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  local_flag = 1;
+  local_freq = 1;
+  size_local_cols = FAILURE_WIDTH;
+  size_local_rows = 0;
+  restart_global = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+}
+
+int FixPotdemFailure::setmask()
+{
+  return PRE_EXCHANGE | PRE_FORCE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemFailure::init()
+{
+  bond = dynamic_cast<BondPotdemTruss *>(force->bond_match("potdem/truss"));
+  if (!bond) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
+  bond_store = PotdemBondStore::find(lmp);
+  bond->set_strength(btype, tension, compression);
+}
+
+// unlike its base class, it works with bonded pairs left out of the neighbour list altogether
+void FixPotdemFailure::setup(int /*vflag*/)
+{
+  if (force->special_lj[1] != 0.0 || force->special_lj[2] != 1.0 || force->special_lj[3] != 1.0)
+    error->all(FLERR, "Fix potdem/failure {} needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds sets it", id);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemFailure::pre_force(int /*vflag*/)
+{
+  const auto failed = decide();
+  if (failed.empty()) return;
+  for (const auto &failure : failed) {
+    remove(failure);
+    (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
+    energy += failure.energy;
+    atom->nbonds--;
+  }
+  next_reneighbor = update->ntimestep + 1;    // the pair must come into the neighbour list
+}
+
+/* ----------------------------------------------------------------------
+   all ranks: the bonds that fail now, in the order of the ranks
+------------------------------------------------------------------------- */
+
+std::vector<FixPotdemFailure::Failure> FixPotdemFailure::decide()
+{
+  std::vector<Failure> mine;
+  for (const auto &over : bond->overstretched()) {
+    const int j = bond->partner(over.n);
+    if (bond->type(over.n) != btype || !(atom->mask[over.i] & atom->mask[j] & groupbit)) continue;
+    if (j < atom->nlocal || atom->tag[over.i] < atom->tag[j]) mine.push_back(describe(over.i, over.n));
+  }
+  record(mine);
+  if (comm->nprocs == 1) return mine;
+
+  int count = FAILURE_WIDTH * mine.size(), total;
+  MPI_Allreduce(&count, &total, 1, MPI_INT, MPI_SUM, world);
+  std::vector<Failure> all(total / FAILURE_WIDTH);
+  if (total == 0) return all;
+  std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (int rank = 1; rank < comm->nprocs; rank++) starts[rank] = starts[rank - 1] + counts[rank - 1];
+  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, world);
+  return all;
+}
+
+void FixPotdemFailure::record(const std::vector<Failure> &failed)
+{
+  if (failed.empty()) return;
+  events.insert(events.end(), failed.begin(), failed.end());
+  rows.resize(events.size());
+  for (std::size_t k = 0; k < events.size(); k++) rows[k] = &events[k].step;
+  array_local = rows.data();
+  size_local_rows = static_cast<int>(rows.size());
+}
+
+FixPotdemFailure::Failure FixPotdemFailure::describe(int i, int n) const
+{
+  const int j = bond->partner(n);
+  const double *xi = atom->x[i], *xj = atom->x[j];
+  const double q = bond->stretch2(i, n), dbar = atom->radius[i] + atom->radius[j];
+  const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
+  const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
+  return {static_cast<double>(update->ntimestep),
+          update->atime + (update->ntimestep - update->atimestep) * update->dt,
+          static_cast<double>(MIN(atom->tag[i], atom->tag[j])), static_cast<double>(MAX(atom->tag[i], atom->tag[j])),
+          0.5 * (xi[0] + xj[0]), 0.5 * (xi[1] + xj[1]), 0.5 * (xi[2] + xj[2]), POTDEM::truss_strain(q),
+          bond->bond_energy(i, n), r < dbar ? r : 0.0};
+}
+
+/* ----------------------------------------------------------------------
+   wherever this rank holds the bond; a pair that still overlaps keeps its present distance as contact
+   distance, so that its contact starts from zero
+------------------------------------------------------------------------- */
+
+void FixPotdemFailure::remove(const Failure &failure)
+{
+  const tagint tags[2] = {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2)};
+  bool held = false;
+  for (int end = 0; end < 2; end++) {
+    const int i = atom->map(tags[end]);
+    if (i < 0 || i >= atom->nlocal) continue;
+    held = true;
+    bond->cut(i, tags[1 - end]);
+    bond_store->remove(i, bond_store->slot(i, tags[1 - end]), failure.contact);
+  }
+  if (!held) return;
+  add_broken_bond(atom->map(tags[0]), atom->map(tags[1]));
+  new_broken_pairs.clear();    // the base class's list for pairs that are in the neighbour list
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixPotdemFailure::compute_scalar()
+{
+  return ntension + ncompression;
+}
+
+double FixPotdemFailure::compute_vector(int n)
+{
+  const double values[3] = {energy, ntension, ncompression};
+  return values[n];
+}
+
+double FixPotdemFailure::memory_usage()
+{
+  return static_cast<double>(events.capacity() * sizeof(Failure) + rows.capacity() * sizeof(double *));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemFailure::write_restart(FILE *fp)
+{
+  pre_exchange();    // special lists as the restart file's reader must find them
+  const double state[3] = {energy, ntension, ncompression};
+  const int size = sizeof(state);
+  if (comm->me == 0) {
+    fwrite(&size, sizeof(int), 1, fp);
+    fwrite(state, size, 1, fp);
+  }
+}
+
+void FixPotdemFailure::restart(char *buf)
+{
+  const auto state = reinterpret_cast<const double *>(buf);
+  energy = state[0];
+  ntension = state[1];
+  ncompression = state[2];
+}

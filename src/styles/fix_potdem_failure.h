@@ -1,0 +1,50 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#ifndef LMP_FIX_POTDEM_FAILURE_H
+#define LMP_FIX_POTDEM_FAILURE_H
+
+#include "fix_update_special_bonds.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixPotdemFailure : public FixUpdateSpecialBonds {
+ public:
+  FixPotdemFailure(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void pre_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  // one failed bond, in the order of the columns of the local output
+  struct Failure {
+    double step, time, tag1, tag2, x, y, z, strain, energy, contact;
+  };
+
+  int btype;
+  double tension, compression;
+  double ntension, ncompression, energy;    // since the first run, over all ranks
+  class BondPotdemTruss *bond;
+  class PotdemBondStore *bond_store;
+  std::vector<Failure> events;    // decided by this rank, and its rows for the local output
+  std::vector<double *> rows;
+
+  std::vector<Failure> decide();
+  Failure describe(int i, int n) const;
+  void record(const std::vector<Failure> &);
+  void remove(const Failure &);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,194 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Walls on LAMMPS regions (thesis 5.3); the law is laws/hertz_wall.h. */
+
+#include "fix_potdem_wall_region.h"
+
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "region.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+// the thesis's soft layer, eq. 5.28
+static constexpr double LAYER_OVER_RADIUS = 0.1;
+static constexpr double LAYER_EXPONENT = 2.0;
+
+/* ----------------------------------------------------------------------
+   REGION  E nu  particle E nu  [friction mu eta|auto] [layer gamma_over_r m | layer none] [viscous H]
+------------------------------------------------------------------------- */
+
+FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), region(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT}, viscosity(0.0),
+    mine(), total(), summed(false), kernel(nullptr)
+{
+  scalar_flag = vector_flag = 1;
+  size_vector = 6;
+  global_freq = 1;
+  extscalar = extvector = 1;
+  energy_global_flag = 1;
+  virial_global_flag = virial_peratom_flag = 1;
+  dynamic_group_allow = 1;
+  read(narg - 3, arg + 3);
+}
+
+void FixPotdemWallRegion::read(int narg, char **arg)
+{
+  PotdemInput input(lmp, "fix potdem/wall/region", narg, arg);
+  region_id = input.word();
+  if (!domain->get_region_by_id(region_id)) input.fail(fmt::format("there is no region '{}'", region_id));
+  const double Ewall = input.positive("E of the wall"), nuwall = input.poisson("nu of the wall");
+  if (!input.next_is("particle"))
+    input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of the wall");
+  const double E = input.positive("particle E"), nu = input.poisson("particle nu");
+  law.modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
+  while (!input.done()) {
+    if (input.next_is("friction")) {
+      friction = input.friction();
+    } else if (input.next_is("viscous")) {
+      viscosity = input.nonnegative("viscous H");
+    } else if (input.next_is("layer")) {
+      law.layer = 0.0;
+      if (input.next_is("none")) continue;
+      law.layer = input.positive("layer gamma_over_r");
+      law.m = input.number("layer m");
+      if (law.m < 1.0) input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", law.m));
+    } else {
+      input.word();
+      input.unknown("friction, layer or viscous");
+    }
+  }
+}
+
+int FixPotdemWallRegion::setmask()
+{
+  return POST_FORCE | MIN_POST_FORCE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemWallRegion::init()
+{
+  region = domain->get_region_by_id(region_id);
+  if (!region) error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->all(FLERR, "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or hybrid bond "
+               "sphere", id);
+  if (friction.mu > 0.0)
+    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true> : &FixPotdemWallRegion::push_all<true, false>;
+  else
+    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<false, true> : &FixPotdemWallRegion::push_all<false, false>;
+}
+
+void FixPotdemWallRegion::setup(int vflag)
+{
+  post_force(vflag);
+}
+
+void FixPotdemWallRegion::min_setup(int vflag)
+{
+  post_force(vflag);
+}
+
+void FixPotdemWallRegion::min_post_force(int vflag)
+{
+  post_force(vflag);
+}
+
+void FixPotdemWallRegion::post_force(int vflag)
+{
+  v_init(vflag);
+  std::fill(mine, mine + 7, 0.0);
+  summed = false;
+  region->prematch();
+  if (region->dynamic_check()) region->set_velocity();
+  (this->*kernel)();
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push_all()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double *x = atom->x[i], ri = atom->radius[i];
+    if (!region->match(x[0], x[1], x[2]))
+      error->one(FLERR, "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, {}) on step "
+                 "{}; use a smaller timestep, a stiffer wall, or start the particles inside the region", id,
+                 atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+    const int ncontact = region->surface(x[0], x[1], x[2], ri + law.thickness(ri));
+    for (int c = 0; c < ncontact; c++) push<SLIDE, VISCOUS>(i, c);
+  }
+}
+
+template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
+{
+  const auto &contact = region->contact[c];
+  const double ri = atom->radius[i], r = contact.r;
+  const double w = ri + law.thickness(ri) - r;
+  if (w <= 0.0 || r <= 0.0) return;
+  const double n[3] = {contact.delx / r, contact.dely / r, contact.delz / r};
+  const auto at = law.evaluate(w, ri);
+
+  double normal = at.force, sliding[3] = {0.0, 0.0, 0.0}, b = 0.0;
+  if (SLIDE || VISCOUS) {
+    double wall[3];
+    region->velocity_contact(wall, atom->x[i], c);
+    const double u[3] = {atom->v[i][0] - wall[0], atom->v[i][1] - wall[1], atom->v[i][2] - wall[2]};
+    const double leaving = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
+    if (VISCOUS) normal = std::fmax(0.0, normal - at.force / w * viscosity * leaving);
+    if (SLIDE) {
+      for (int k = 0; k < 3; k++) sliding[k] = u[k] - leaving * n[k];
+      const double speed = sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
+      if (speed > 0.0) b = friction.factor(speed, normal, friction.viscosity(atom->rmass[i], update->dt));
+    }
+  }
+
+  const double f[3] = {normal * n[0] - b * sliding[0], normal * n[1] - b * sliding[1],
+                       normal * n[2] - b * sliding[2]};
+  const double del[3] = {contact.delx, contact.dely, contact.delz};
+  double foot[3];
+  for (int k = 0; k < 3; k++) {
+    atom->f[i][k] += f[k];
+    foot[k] = atom->x[i][k] - del[k];
+    mine[1 + k] -= f[k];
+  }
+  mine[0] += at.energy;
+  mine[4] -= foot[1] * f[2] - foot[2] * f[1];
+  mine[5] -= foot[2] * f[0] - foot[0] * f[2];
+  mine[6] -= foot[0] * f[1] - foot[1] * f[0];
+  if (evflag) {
+    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2], f[0] * del[1], f[0] * del[2], f[1] * del[2]};
+    v_tally(i, virial);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixPotdemWallRegion::sum(int n)
+{
+  if (!summed) MPI_Allreduce(mine, total, 7, MPI_DOUBLE, MPI_SUM, world);
+  summed = true;
+  return total[n];
+}
+
+double FixPotdemWallRegion::compute_scalar()
+{
+  return sum(0);
+}
+
+double FixPotdemWallRegion::compute_vector(int n)
+{
+  return sum(1 + n);
+}

@@ -1,0 +1,40 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Every difference between LAMMPS versions that concerns this package is settled here. */
+
+#ifndef LMP_POTDEM_LAMMPS_COMPAT_H
+#define LMP_POTDEM_LAMMPS_COMPAT_H
+
+#include "domain.h"
+#include "error.h"    // IWYU pragma: keep
+
+#include <utility>
+
+namespace LAMMPS_NS {
+namespace PotdemCompat {
+
+  // minimum_image takes the call's place in the source first since 2025
+  template <class D>
+  auto minimum_image(D *domain, double *del, int) -> decltype(domain->minimum_image(FLERR, del))
+  {
+    return domain->minimum_image(FLERR, del);
+  }
+
+  template <class D>
+  auto minimum_image(D *domain, double *del, long) -> decltype(domain->minimum_image(del))
+  {
+    return domain->minimum_image(del);
+  }
+
+  inline void minimum_image(Domain *domain, double *del)
+  {
+    minimum_image(domain, del, 0);
+  }
+
+}    // namespace PotdemCompat
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,166 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "potdem_bond_store.h"
+
+#include "lammps_compat.h"
+#include "laws/truss.h"
+
+#include "atom.h"
+#include "error.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static constexpr char STORE_ID[] = "POTDEM_BONDS";
+
+/* ---------------------------------------------------------------------- */
+
+PotdemBondStore *PotdemBondStore::find(LAMMPS *lmp)
+{
+  return dynamic_cast<PotdemBondStore *>(lmp->modify->get_fix_by_id(STORE_ID));
+}
+
+PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
+{
+  auto store = find(lmp);
+  if (store) return store;
+  return dynamic_cast<PotdemBondStore *>(lmp->modify->add_fix(
+      fmt::format("{} all POTDEM_BOND_HISTORY 0 {}", STORE_ID, static_cast<int>(NDATA))));
+}
+
+/* ---------------------------------------------------------------------- */
+
+PotdemBondStore::PotdemBondStore(LAMMPS *lmp, int narg, char **arg) :
+    FixBondHistory(lmp, narg, arg), generation(0), all_types(atom->nbondtypes + 1, 1), noverlap(0)
+{
+  setflag = all_types.data();
+}
+
+int PotdemBondStore::setmask()
+{
+  return POST_NEIGHBOR;
+}
+
+void PotdemBondStore::setup_post_neighbor()
+{
+  post_neighbor();
+}
+
+// the readers take what they need from the per-atom data themselves, in the order they need it
+void PotdemBondStore::post_neighbor()
+{
+  generation++;
+  noverlap = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (length(i, m) < 0.0) noverlap++;
+}
+
+double **PotdemBondStore::values() const
+{
+  return atom->darray[index];
+}
+
+void PotdemBondStore::store(int i, int m, double length, double section)
+{
+  update_atom_value(i, m, LENGTH, length);
+  update_atom_value(i, m, SECTION, section);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PotdemBondStore::longest() const
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) mine = MAX(mine, length(i, m));
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+int PotdemBondStore::slot(int i, tagint partner) const
+{
+  for (int m = 0; m < atom->num_bond[i]; m++)
+    if (atom->bond_atom[i][m] == partner) return m;
+  return -1;
+}
+
+/* ----------------------------------------------------------------------
+   bonds that did not come from potdem_bonds (create_bonds, data file) start from where they are;
+   both ends take the two positions in order of the IDs
+------------------------------------------------------------------------- */
+
+void PotdemBondStore::measure_new_bonds()
+{
+  double **x = atom->x;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (length(i, m) != 0.0 || atom->bond_type[i][m] <= 0) continue;
+      const int k = atom->map(atom->bond_atom[i][m]);
+      if (k < 0)
+        error->one(FLERR,
+                   "Bond partner {} of atom {} is beyond the communication cutoff; increase it with "
+                   "comm_modify cutoff",
+                   atom->bond_atom[i][m], atom->tag[i]);
+      const int j = domain->closest_image(i, k);
+      const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1], x[high][2] - x[low][2]};
+      store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]),
+            POTDEM::truss_section(atom->radius[i] + atom->radius[j]));
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBondStore::remove(int i, int m, double contact)
+{
+  if (contact > 0.0) {
+    atom->bond_type[i][m] = -abs(atom->bond_type[i][m]);
+    update_atom_value(i, m, LENGTH, -contact);
+    noverlap++;
+    return;
+  }
+  const int last = --atom->num_bond[i];
+  atom->bond_type[i][m] = atom->bond_type[i][last];
+  atom->bond_atom[i][m] = atom->bond_atom[i][last];
+  shift_history(i, m, last);
+  delete_history(i, last);
+}
+
+/* ----------------------------------------------------------------------
+   restart files store every bond as turned on, and special lists are built from all bonds
+------------------------------------------------------------------------- */
+
+void PotdemBondStore::turn_off_failed()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (length(i, m) >= 0.0) continue;
+      atom->bond_type[i][m] = -abs(atom->bond_type[i][m]);
+      forget_special(i, atom->bond_atom[i][m]);
+    }
+}
+
+void PotdemBondStore::forget_special(int i, tagint partner)
+{
+  tagint *list = atom->special[i];
+  int *n = atom->nspecial[i];
+  tagint *found = std::find(list, list + n[0], partner);
+  if (found == list + n[0]) return;
+  std::copy(found + 1, list + n[2], found);
+  for (int k = 0; k < 3; k++) n[k]--;
+}
+
+double PotdemBondStore::contact_distance(int i, tagint partner, double dbar) const
+{
+  for (int m = 0; m < atom->num_bond[i]; m++)
+    if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return MIN(dbar, -length(i, m));
+  return dbar;
+}

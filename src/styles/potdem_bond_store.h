@@ -1,0 +1,59 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What a bond remembers: its reference length and its section, in LAMMPS's own FixBondHistory (which
+   carries them through exchange, sorting and restart), and the contact distance of pairs whose bond
+   failed while they still overlapped. Created by potdem_bonds or bond_style potdem/truss, one per
+   simulation. */
+
+#ifndef LMP_POTDEM_BOND_STORE_H
+#define LMP_POTDEM_BOND_STORE_H
+
+#include "fix_bond_history.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PotdemBondStore : public FixBondHistory {
+ public:
+  // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed and the pair
+  // touches at -LENGTH. Such a bond stays in LAMMPS's list with its type negated ('turned off').
+  enum { LENGTH, SECTION, NDATA };
+
+  static PotdemBondStore *find(LAMMPS *);
+  static PotdemBondStore *ensure(LAMMPS *);
+
+  PotdemBondStore(LAMMPS *, int, char **);
+  int setmask() override;
+  void setup_post_neighbor() override;
+  void post_neighbor() override;
+
+  void store(int i, int slot, double length, double section);
+  double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
+  double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
+
+  double longest() const;                          // largest reference length on any rank
+  int slot(int i, tagint partner) const;           // bond of owned atom i with this partner, or -1
+  void measure_new_bonds();                        // bonds without a reference length get the present one
+  void remove(int i, int slot, double contact);    // bond of owned atom i; keep contact distance if > 0
+  void turn_off_failed();    // after a restart or a new special list: failed bonds are no neighbours
+
+  bool overlapping() const { return noverlap > 0; }
+  double contact_distance(int i, tagint partner, double dbar) const;
+
+  int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
+
+ private:
+  std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
+  int noverlap;
+
+  double **values() const;
+  void forget_special(int i, tagint partner);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,281 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "potdem_bonds.h"
+
+#include "laws/truss.h"
+#include "potdem_bond_store.h"
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "region.h"
+#include "special.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+// a shell exactly at r_infl belongs to the body, whatever the rounding of its lattice
+static constexpr double SHELL_TOLERANCE = 1e-6;
+// a crack must be thicker than a bond's length divided by this
+static constexpr int CRACK_SAMPLES = 64;
+
+/* ---------------------------------------------------------------------- */
+
+PotdemBonds::PotdemBonds(LAMMPS *lmp) :
+    Command(lmp), igroup(0), btype(0), reach(0.0), in_diameters(false), region(nullptr)
+{
+}
+
+void PotdemBonds::command(int narg, char **arg)
+{
+  if (!domain->box_exist) error->all(FLERR, "potdem_bonds needs a simulation box: use create_box first");
+  read(narg, arg);
+  check_atoms();
+  take_over_settings();
+
+  double largest = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & group->bitmask[igroup]) largest = MAX(largest, 2.0 * atom->radius[i]);
+  MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double cutoff = (in_diameters ? reach * all : reach) * (1.0 + 2.0 * SHELL_TOLERANCE);
+  for (int k = 0; k < 3; k++)
+    if (domain->periodicity[k] && 2.0 * cutoff > domain->prd[k])
+      error->all(FLERR, "potdem_bonds: r_infl {} is more than half the periodic box length {}; make the box "
+                 "larger or r_infl smaller", cutoff, domain->prd[k]);
+
+  const auto bonds = find_pairs(neighbours(cutoff));
+  make_room(bonds);
+  add(bonds);
+  report(bonds);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::read(int narg, char **arg)
+{
+  PotdemInput input(lmp, "potdem_bonds", narg, arg);
+  const std::string name = input.word();
+  igroup = group->find(name);
+  if (igroup < 0) input.fail(fmt::format("there is no group '{}'", name));
+  btype = static_cast<int>(input.positive("bond type"));
+  if (btype > atom->nbondtypes)
+    input.fail(fmt::format("bond type {} does not exist, there are {}; give create_box more with "
+                           "'bond/types N'", btype, atom->nbondtypes));
+  reach = input.positive("r_infl");
+  while (!input.done()) {
+    if (input.next_is("diameters"))
+      in_diameters = true;
+    else if (input.next_is("crack")) {
+      crack = input.word();
+      region = domain->get_region_by_id(crack);
+      if (!region) input.fail(fmt::format("there is no region '{}'", crack));
+    } else {
+      input.word();
+      input.unknown("diameters or crack");
+    }
+  }
+  if (region) {
+    region->init();
+    region->prematch();
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::check_atoms()
+{
+  if (!atom->tag_enable || atom->molecular != Atom::MOLECULAR)
+    error->all(FLERR, "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style hybrid bond sphere");
+  if (!atom->radius_flag)
+    error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style hybrid bond sphere");
+  if (group->count(igroup) == 0) error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & group->bitmask[igroup]) && !(atom->radius[i] > 0.0))
+      error->one(FLERR, "potdem_bonds: atom {} has diameter {}, it must be > 0; use set ... diameter",
+                 atom->tag[i], 2.0 * atom->radius[i]);
+}
+
+/* ----------------------------------------------------------------------
+   what a truss network asks of LAMMPS, so that the user need not know: each rank must hold all bonds
+   of its atoms (newton off for bonds) and the neighbour list must leave bonded pairs out
+------------------------------------------------------------------------- */
+
+void PotdemBonds::take_over_settings()
+{
+  if (force->newton_bond) {
+    if (atom->nbonds > 0)
+      error->all(FLERR, "potdem_bonds: the bonds that exist were made with newton on for bonds; put 'newton "
+                 "on off' before the box is created");
+    force->newton_bond = 0;
+    force->newton = force->newton_pair;
+    if (comm->me == 0) utils::logmesg(lmp, "potdem_bonds: newton off for bonds\n");
+  }
+  const double weights[4] = {1.0, 0.0, 1.0, 1.0};
+  for (int k = 1; k < 4; k++) force->special_lj[k] = force->special_coul[k] = weights[k];
+}
+
+/* ----------------------------------------------------------------------
+   an occasional LAMMPS neighbour list of this cutoff; the pair and bond styles stay out of it, so
+   that they may be defined before or after this command
+------------------------------------------------------------------------- */
+
+NeighList *PotdemBonds::neighbours(double cutoff)
+{
+  auto pair = force->pair;
+  auto bond = force->bond;
+  const double cutghost = comm->cutghostuser;
+  force->pair = nullptr;
+  force->bond = nullptr;
+  comm->cutghostuser = MAX(cutghost, cutoff);
+  neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL)->set_cutoff(cutoff);
+
+  domain->init();
+  atom->init();
+  neighbor->init();
+  comm->init();
+  if (domain->triclinic) domain->x2lamda(atom->nlocal);
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+  neighbor->build(0);
+  auto list = neighbor->find_list(this);
+  neighbor->build_one(list);
+
+  comm->cutghostuser = cutghost;
+  force->pair = pair;
+  force->bond = bond;
+  return list;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
+{
+  std::vector<NewBond> found;
+  const int groupbit = group->bitmask[igroup];
+  double **x = atom->x;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (!(atom->mask[j] & groupbit)) continue;
+      // the same two positions in the same order from both ends
+      const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1], x[high][2] - x[low][2]};
+      const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
+      const double dbar = atom->radius[i] + atom->radius[j];
+      if (r > (in_diameters ? reach * dbar : reach) * (1.0 + SHELL_TOLERANCE)) continue;
+      if (r == 0.0)
+        error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i], atom->tag[j]);
+      const bool cut = region && crosses_crack(x[low], x[high]);
+      if (cut && r >= dbar) continue;
+      found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar)});
+    }
+  }
+  return found;
+}
+
+bool PotdemBonds::crosses_crack(const double *from, const double *to) const
+{
+  for (int k = 0; k <= CRACK_SAMPLES; k++) {
+    const double t = static_cast<double>(k) / CRACK_SAMPLES;
+    if (region->match(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
+                      from[2] + t * (to[2] - from[2])))
+      return true;
+  }
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::make_room(const std::vector<NewBond> &bonds)
+{
+  std::vector<int> need(atom->num_bond, atom->num_bond + atom->nlocal);
+  for (const auto &bond : bonds) need[bond.i]++;
+  int most = need.empty() ? 0 : *std::max_element(need.begin(), need.end()), all;
+  MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
+  if (all > atom->bond_per_atom) grow_bonds_per_atom(all);
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS fixes the number of bonds per atom when the box is created; growing its arrays moves their
+   rows, so what they hold is taken out and put back
+------------------------------------------------------------------------- */
+
+void PotdemBonds::grow_bonds_per_atom(int nbond)
+{
+  auto store = PotdemBondStore::find(lmp);
+  std::vector<NewBond> old;
+  std::vector<int> types;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      types.push_back(atom->bond_type[i][m]);
+      old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
+                     store ? store->section(i, m) : 0.0});
+    }
+  if (store) modify->delete_fix(store->id);
+
+  atom->bond_per_atom = nbond;
+  atom->avec->grow(atom->nmax);
+
+  store = PotdemBondStore::ensure(lmp);
+  std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
+  for (std::size_t k = 0; k < old.size(); k++) {
+    const int i = old[k].i, m = atom->num_bond[i]++;
+    atom->bond_type[i][m] = types[k];
+    atom->bond_atom[i][m] = old[k].partner;
+    store->store(i, m, old[k].length, old[k].section);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::add(const std::vector<NewBond> &bonds)
+{
+  auto store = PotdemBondStore::ensure(lmp);
+  for (const auto &bond : bonds) {
+    const int m = atom->num_bond[bond.i]++;
+    atom->bond_type[bond.i][m] = bond.length > 0.0 ? btype : -btype;
+    atom->bond_atom[bond.i][m] = bond.partner;
+    store->store(bond.i, m, bond.length, bond.section);
+  }
+  Special special(lmp);
+  special.build();
+  store->turn_off_failed();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::report(const std::vector<NewBond> &bonds)
+{
+  bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) { return b.length > 0.0; });
+  bigint all;
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  atom->nbonds += all / 2;
+  if (all == 0)
+    error->all(FLERR, "potdem_bonds: no two particles of group '{}' are within r_infl = {}{}",
+               group->names[igroup], reach, in_diameters ? " diameters" : "");
+  const double per_particle = static_cast<double>(all) / group->count(igroup);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n", all / 2, btype,
+                   group->names[igroup], per_particle);
+}

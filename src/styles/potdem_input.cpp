@@ -1,0 +1,102 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "potdem_input.h"
+
+#include "error.h"
+#include "utils.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+static constexpr int MAX_EXPONENT = 64;
+
+PotdemInput::PotdemInput(LAMMPS *lmp, std::string _command, int _narg, char **_arg) :
+    Pointers(lmp), command(std::move(_command)), narg(_narg), at(0), arg(_arg)
+{
+}
+
+void PotdemInput::fail(const std::string &text)
+{
+  error->all(FLERR, "{}: {}", command, text);
+}
+
+void PotdemInput::unknown(const std::string &choices)
+{
+  fail(fmt::format("unknown keyword '{}', expected {}", arg[at - 1], choices));
+}
+
+void PotdemInput::range(const std::string &name, double value, const std::string &allowed)
+{
+  fail(fmt::format("{} = {} is out of range, it must be {}", name, value, allowed));
+}
+
+std::string PotdemInput::word()
+{
+  if (done()) utils::missing_cmd_args(FLERR, command, error);
+  return arg[at++];
+}
+
+bool PotdemInput::next_is(const std::string &expected)
+{
+  if (done() || expected != arg[at]) return false;
+  at++;
+  return true;
+}
+
+double PotdemInput::number(const std::string &name)
+{
+  const std::string text = word();
+  if (!utils::is_double(text)) fail(fmt::format("{} must be a number, not '{}'", name, text));
+  const double value = utils::numeric(FLERR, text, false, lmp);
+  if (!std::isfinite(value)) range(name, value, "finite");
+  return value;
+}
+
+double PotdemInput::positive(const std::string &name)
+{
+  const double value = number(name);
+  if (value <= 0.0) range(name, value, "> 0");
+  return value;
+}
+
+double PotdemInput::nonnegative(const std::string &name)
+{
+  const double value = number(name);
+  if (value < 0.0) range(name, value, ">= 0");
+  return value;
+}
+
+double PotdemInput::poisson(const std::string &name)
+{
+  const double value = number(name);
+  if (value <= -1.0 || value > 0.5) range(name, value, "> -1 and <= 0.5");
+  return value;
+}
+
+int PotdemInput::exponent(const std::string &name)
+{
+  const double value = number(name);
+  if (value != std::floor(value) || value < 1 || value > MAX_EXPONENT)
+    range(name, value, fmt::format("a whole number from 1 to {}", MAX_EXPONENT));
+  return static_cast<int>(value);
+}
+
+bool PotdemInput::logical(const std::string &name)
+{
+  const std::string text = word();
+  if (text != "yes" && text != "no") fail(fmt::format("{} must be yes or no, not '{}'", name, text));
+  return text == "yes";
+}
+
+POTDEM::Friction PotdemInput::friction()
+{
+  POTDEM::Friction friction;
+  friction.mu = nonnegative("friction mu");
+  friction.automatic = next_is("auto");
+  if (!friction.automatic) friction.eta = nonnegative("friction eta");
+  return friction;
+}

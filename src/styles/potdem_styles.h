@@ -1,0 +1,32 @@
+/* The one registration table. LAMMPS includes this file among its own style headers (package compiled
+   in), plugin.cpp includes it with macros of its own (plugin). A new style is one line in its block
+   and one include below. */
+
+// clang-format off
+#ifdef PAIR_CLASS
+PairStyle(potdem/truss,PairPotdemTruss);
+#elif defined(BOND_CLASS)
+BondStyle(potdem/truss,BondPotdemTruss);
+#elif defined(FIX_CLASS)
+FixStyle(potdem/damping,FixPotdemDamping);
+FixStyle(potdem/failure,FixPotdemFailure);
+FixStyle(potdem/wall/region,FixPotdemWallRegion);
+FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
+#elif defined(COMPUTE_CLASS)
+ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
+#elif defined(COMMAND_CLASS)
+CommandStyle(potdem_bonds,PotdemBonds);
+#else
+// clang-format on
+#ifndef LMP_POTDEM_STYLES_H
+#define LMP_POTDEM_STYLES_H
+#include "bond_potdem_truss.h"
+#include "compute_potdem_strain_atom.h"
+#include "fix_potdem_damping.h"
+#include "fix_potdem_failure.h"
+#include "fix_potdem_wall_region.h"
+#include "pair_potdem_truss.h"
+#include "potdem_bond_store.h"
+#include "potdem_bonds.h"
+#endif
+#endif
