@@ -113,7 +113,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
 void BondPotdemTruss::init_style()
 {
   if (!atom->radius_flag)
-    error->all(FLERR, "bond_style potdem/truss needs particle diameters, e.g. atom_style hybrid bond sphere");
+    error->all(FLERR, "bond_style potdem/truss needs particle diameters, e.g. atom_style bpm/sphere");
   if (force->newton_bond)
     error->all(FLERR, "bond_style potdem/truss needs newton off for bonds: make the bonds with potdem_bonds, "
                "or put 'newton on off' before the box is created");

@@ -83,8 +83,8 @@ void FixPotdemWallRegion::init()
   region = domain->get_region_by_id(region_id);
   if (!region) error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or hybrid bond "
-               "sphere", id);
+    error->all(FLERR, "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or "
+               "bpm/sphere", id);
   if (friction.mu > 0.0)
     kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true> : &FixPotdemWallRegion::push_all<true, false>;
   else

@@ -71,7 +71,7 @@ void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM:
 void PairPotdemBase::init_style()
 {
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "pair_style {} needs particle diameters, e.g. atom_style sphere or hybrid bond sphere", name());
+    error->all(FLERR, "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere", name());
   bond_store = PotdemBondStore::find(lmp);
   find_diameters();
   sliding = false;

@@ -99,9 +99,9 @@ void PotdemBonds::read(int narg, char **arg)
 void PotdemBonds::check_atoms()
 {
   if (!atom->tag_enable || atom->molecular != Atom::MOLECULAR)
-    error->all(FLERR, "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style hybrid bond sphere");
+    error->all(FLERR, "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style bpm/sphere");
   if (!atom->radius_flag)
-    error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style hybrid bond sphere");
+    error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style bpm/sphere");
   if (group->count(igroup) == 0) error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & group->bitmask[igroup]) && !(atom->radius[i] > 0.0))
