@@ -1,0 +1,45 @@
+# Builds LAMMPS from POTDEM_LAMMPS_DIR with the styles of this package compiled in: build/lmp.
+# LAMMPS's tree is not written to.
+
+set(BUILD_SHARED_LIBS ON CACHE BOOL "Build liblammps as a shared library")
+set(BUILD_MPI ON CACHE BOOL "Build LAMMPS with MPI")
+set(BUILD_OMP ON CACHE BOOL "Build LAMMPS with OpenMP")
+foreach(feature CURL FFMPEG GZIP JPEG PNG)
+  set(WITH_${feature} OFF CACHE BOOL "LAMMPS: use ${feature}")
+endforeach()
+foreach(package IN LISTS POTDEM_LAMMPS_PACKAGES)
+  set(PKG_${package} ON CACHE BOOL "LAMMPS package ${package}")
+endforeach()
+
+set(MPI_CXX_SKIP_MPICXX TRUE CACHE BOOL "Leave out the obsolete C++ bindings of MPI")
+if(BUILD_MPI)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+endif()
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+
+# LAMMPS writes style_pair.h etc. from these lists; ours go in before it reads them
+set(POTDEM_STYLES_DIR ${PROJECT_SOURCE_DIR}/src/styles)
+foreach(kind PAIR BOND FIX COMPUTE COMMAND)
+  set_property(GLOBAL APPEND PROPERTY ${kind} ${POTDEM_STYLES_DIR}/potdem_styles.h)
+endforeach()
+
+add_subdirectory(${POTDEM_LAMMPS_DIR}/cmake lammps)
+
+# what a source of this package is compiled with, in liblammps and in the plugin alike
+function(potdem_compile_settings target)
+  target_include_directories(${target} PRIVATE ${POTDEM_STYLES_DIR} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:lammps,INCLUDE_DIRECTORIES>)
+  target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
+  if(BUILD_MPI)
+    target_link_libraries(${target} PRIVATE MPI::MPI_CXX)
+  endif()
+endfunction()
+
+file(GLOB POTDEM_SOURCES CONFIGURE_DEPENDS ${POTDEM_STYLES_DIR}/*.cpp)
+add_library(potdem OBJECT ${POTDEM_SOURCES})
+set_target_properties(potdem PROPERTIES POSITION_INDEPENDENT_CODE ON)
+potdem_compile_settings(potdem)
+target_sources(lammps PRIVATE $<TARGET_OBJECTS:potdem>)
+target_include_directories(lammps PRIVATE ${POTDEM_STYLES_DIR} ${PROJECT_SOURCE_DIR}/src)

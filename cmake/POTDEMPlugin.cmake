@@ -1,0 +1,26 @@
+# The same styles for a LAMMPS that is already there: build/potdemplugin.so, to be loaded, and
+# build/potdemstyles.so beside it, which potdemplugin.so loads once it has seen that the versions match.
+# In one file the dynamic linker would refuse another version first, with the name of a missing symbol.
+
+function(potdem_shared_object target)
+  set_target_properties(${target} PROPERTIES PREFIX "" SUFFIX .so
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR} CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+  # keeps calls within the plugin when its styles are compiled into the host as well
+  target_link_options(${target} PRIVATE -Wl,-Bsymbolic)
+  potdem_compile_settings(${target})
+endfunction()
+
+function(potdem_plugin target styles version)
+  add_library(${target} MODULE ${PROJECT_SOURCE_DIR}/src/plugin.cpp)
+  potdem_shared_object(${target})
+  target_compile_definitions(${target} PRIVATE POTDEM_PLUGIN_LAMMPS_VERSION="${version}"
+    POTDEM_PLUGIN_STYLES="$<TARGET_FILE_NAME:${styles}>")
+  target_link_libraries(${target} PRIVATE ${CMAKE_DL_LIBS})
+  add_dependencies(${target} ${styles})
+endfunction()
+
+add_library(potdemstyles MODULE ${PROJECT_SOURCE_DIR}/src/plugin_styles.cpp ${POTDEM_SOURCES})
+potdem_shared_object(potdemstyles)
+target_compile_definitions(potdemstyles PRIVATE POTDEM_PLUGIN_LAMMPS_VERSION="${POTDEM_LAMMPS_VERSION}")
+potdem_plugin(potdemplugin potdemstyles ${POTDEM_LAMMPS_VERSION})
