@@ -1,0 +1,115 @@
+"""Runs a scene's variants, compares each with its reference log and draws its picture (see examples/run)."""
+
+import argparse
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import compare
+import logfile
+import runner
+import scene as scenes
+
+LMP = Path(__file__).resolve().parent.parent.parent / "build" / "lmp"
+
+
+class Failure(Exception):
+    """what ends the whole run"""
+
+
+def list_scenes():
+    for name in scenes.names():
+        scene = scenes.Scene(name)
+        print(f"{name}: {scene.title}")
+        for variant, settings in scene.variants.items():
+            if variant:
+                mark = "*" if variant in scene.default_variants else " "
+                print(f"  {mark} {variant:<20} {(settings or {}).get('description', '')}".rstrip())
+    print("\nThe variants marked * run when none is named.")
+
+
+def simulate(variant, nprocs):
+    """the log of a new run"""
+    folder = variant.output(nprocs)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    running = folder / "log.running"
+    arguments = runner.command(LMP, variant.scene.script, {**variant.variables, "out": folder}, running, nprocs)
+    problem = runner.run(arguments, variant.scene.folder, f"{variant.label} on {nprocs} rank(s)")
+    if problem:
+        raise Failure(f"{problem}\nlog: {running}\ncommand: {' '.join(arguments)}")
+    log = folder / variant.log_name(scenes.version_of(running), nprocs)
+    running.rename(log)
+    return log
+
+
+def check(variant, log, nprocs):
+    """(passed, failed) of the comparison with the reference"""
+    reference = variant.reference(scenes.version_of(log), nprocs)
+    print(f"\ncompared with {reference.name}")
+    if reference.name != log.name:
+        print(f"  (there is no reference {log.name})")
+    checks = compare.compare(logfile.read_thermo(log), logfile.read_thermo(reference), variant.scene.rules)
+    print(compare.report(checks))
+    passed = sum(check.passed for check in checks)
+    return passed, len(checks) - passed
+
+
+def draw(variant, folder):
+    """the picture, or None where the scene draws none"""
+    if not variant.scene.plot:
+        return None
+    picture = folder / f"{variant.label}.png"
+    drawn = subprocess.run([sys.executable, str(variant.scene.plot), str(folder), str(picture)],
+                           cwd=variant.scene.folder, check=False)
+    if drawn.returncode != 0 or not picture.exists():
+        raise Failure(f"{variant.scene.plot} drew no picture")
+    return picture
+
+
+def run_variant(variant, arguments):
+    log = simulate(variant, arguments.np)
+    if arguments.update_reference:
+        shutil.copy(log, variant.scene.folder / log.name)
+    counts = check(variant, log, arguments.np)
+    picture = draw(variant, log.parent)
+    print(f"\nlog:     {log}")
+    if picture:
+        print(f"picture: {picture}")
+    return counts
+
+
+def parse(argv):
+    parser = argparse.ArgumentParser(prog="examples/run")
+    parser.add_argument("scene", nargs="?")
+    parser.add_argument("variants", nargs="*")
+    parser.add_argument("-np", type=int, default=1, metavar="N")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--update-reference", action="store_true")
+    arguments = parser.parse_intermixed_args(argv)
+    if not arguments.list and not arguments.scene:
+        parser.error("which scene? (--list names them)")
+    if arguments.np < 1:
+        parser.error("-np must be at least 1")
+    return arguments
+
+
+def main(argv):
+    arguments = parse(argv)
+    if arguments.list:
+        list_scenes()
+        return 0
+    scene = scenes.Scene(arguments.scene)
+    variants = [scene.variant(name) for name in arguments.variants or scene.default_variants]
+    counts = [run_variant(variant, arguments) for variant in variants]
+    passed, failed = (sum(count) for count in zip(*counts))
+    print(f"{passed} checks passed, {failed} failed")
+    return 0 if failed == 0 and passed > 0 else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except (Failure, scenes.SceneError, logfile.LogError, compare.RuleError) as problem:
+        sys.exit(str(problem))

@@ -1,0 +1,128 @@
+# Sourced by examples/run and unittest/run: installs what is missing, builds, and sets up the environment
+# that LAMMPS is run in. The Debian packages are named here and nowhere else.
+# shellcheck shell=bash
+
+POTDEM_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export POTDEM_BUILD=$POTDEM_ROOT/build
+export POTDEM_PYTHON=/usr/bin/python3
+POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev ca-certificates
+                 python3 python3-numpy python3-scipy python3-matplotlib python3-yaml python3-pytest)
+
+die() {
+  printf '%s\n' "$*" >&2
+  exit 1
+}
+
+missing_packages() {
+  local package
+  for package in "${POTDEM_PACKAGES[@]}"; do
+    if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+      printf '%s\n' "$package"
+    fi
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+install_packages() {
+  local sudo=''
+  [ "$(id -u)" -eq 0 ] || sudo='sudo '
+  if [ "$1" = no ]; then
+    printf 'Packages are missing. Run this line, then start again:\n  %s\n' \
+      "${sudo}apt-get update && ${sudo}apt-get install --no-install-recommends -y ${*:2}" >&2
+    exit 1
+  fi
+  printf 'Installing Debian packages:\n'
+  printf '  %s\n' "${@:2}"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y -q "${@:2}"
+}
+
+require_packages() {
+  local missing
+  if ! command -v dpkg-query >/dev/null; then
+    printf 'Not a Debian system: taking it that the equivalents of these are installed:\n  %s\n' \
+      "${POTDEM_PACKAGES[*]}"
+    return
+  fi
+  mapfile -t missing < <(missing_packages)
+  if [ "${#missing[@]}" -gt 0 ]; then
+    install_packages "$1" "${missing[@]}"
+  fi
+}
+
+# the last thing that a log of CMake and Ninja says, in one line
+build_state() {
+  local line
+  line=$(grep -aoE '^\[[0-9]+/[0-9]+\]|POTDEM: .*' "$1" | tail -n 1 || true)
+  if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]$ ]]; then
+    printf 'compiling LAMMPS with POTDEM: %3d %% %s' \
+      $((100 * BASH_REMATCH[1] / BASH_REMATCH[2])) "$line"
+  else
+    printf '%s' "${line:-configuring}"
+  fi
+}
+
+# Shows how the build that writes the log $1 gets on, until it is killed or the process $2 has gone. Nothing is
+# shown in the first seconds: a build with nothing to do is quiet.
+watch_build() {
+  local log=$1 script=$2 start=$SECONDS line
+  sleep 4
+  while kill -0 "$script" 2>/dev/null; do
+    line=$(printf '%s  %d:%02d' "$(build_state "$log")" $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60)))
+    if [ -t 1 ]; then
+      printf '\r\033[K%s' "$line"
+      sleep 1
+    else
+      printf '%s\n' "$line"
+      sleep 20
+    fi
+  done
+}
+
+configure_and_build() {
+  cd "$POTDEM_ROOT" || return
+  if [ ! -f "$POTDEM_BUILD/build.ninja" ]; then
+    cmake --preset default || return
+  fi
+  cmake --build --preset default
+}
+
+# The build runs in the foreground and its watcher behind it, so that an interrupt ends the build.
+build_potdem() {
+  local log=$POTDEM_BUILD/build.log watcher built=yes
+  mkdir -p "$POTDEM_BUILD"
+  : >"$log"
+  watch_build "$log" $$ &
+  watcher=$!
+  (configure_and_build) >"$log" 2>&1 || built=no
+  kill "$watcher"
+  wait "$watcher" 2>/dev/null || true
+  if [ -t 1 ]; then printf '\r\033[K'; fi
+  if [ "$built" = no ]; then
+    tail -n 40 "$log" >&2
+    die "The build failed. Its whole output is in $log"
+  fi
+}
+
+run_environment() {
+  if [ "$(id -u)" -eq 0 ]; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  fi
+  # containers forbid the system call that Open MPI would copy between processes with
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
+}
+
+# bootstrap yes|no: whether missing packages may be installed
+bootstrap() {
+  require_packages "$1"
+  build_potdem
+  run_environment
+}

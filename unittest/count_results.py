@@ -1,0 +1,47 @@
+"""Adds up the results of the test programs (JUnit XML) and ends with one line for all of them.
+
+usage: count_results.py EXIT_STATUS:FILE.xml ...
+"""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+
+def count(path):
+    """passed, failed and skipped tests of one file"""
+    failed = skipped = total = 0
+    for case in ElementTree.parse(path).getroot().iter("testcase"):
+        total += 1
+        if case.find("failure") is not None or case.find("error") is not None:
+            failed += 1
+        elif case.find("skipped") is not None or case.get("result") == "skipped":
+            skipped += 1
+    return total - failed - skipped, failed, skipped
+
+
+def count_program(status, path):
+    """as count(); a program that ended badly without naming a failed test is one failure"""
+    try:
+        passed, failed, skipped = count(path)
+    except (OSError, ElementTree.ParseError) as problem:
+        print(f"no results of {path.stem}: {problem}")
+        return 0, 1, 0
+    if failed == 0 and (status != 0 or passed + skipped == 0):
+        print(f"{path.stem}: exit status {status}, {passed + skipped} tests")
+        failed = 1
+    return passed, failed, skipped
+
+
+def main(arguments):
+    totals = [0, 0, 0]
+    for argument in arguments:
+        status, path = argument.split(":", 1)
+        totals = [a + b for a, b in zip(totals, count_program(int(status), Path(path)))]
+    passed, failed, skipped = totals
+    print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
+    return 0 if failed == 0 and passed > 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

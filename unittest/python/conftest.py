@@ -1,0 +1,85 @@
+"""Fixtures for tests that drive build/lmp."""
+
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "examples" / "harness"))
+
+import logfile  # noqa: E402
+import runner  # noqa: E402
+
+BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build"))
+
+
+@dataclass
+class Run:
+    """what one run of LAMMPS left behind"""
+
+    status: int
+    stdout: str
+    log: str
+
+    @property
+    def thermo(self):
+        """column -> array"""
+        return logfile.thermo(self.log)
+
+    @property
+    def error(self):
+        """the text of the ERROR message on one line, or None"""
+        return logfile.error_message(self.stdout)
+
+
+def environment():
+    settings = {"OMP_NUM_THREADS": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+    if os.getuid() == 0:
+        settings.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return {**settings, **os.environ}
+
+
+@pytest.fixture(scope="session")
+def root():
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def build():
+    """the build folder under test"""
+    return BUILD
+
+
+@pytest.fixture(scope="session")
+def lmp(build):
+    path = build / "lmp"
+    if not path.exists():
+        pytest.fail(f"{path} has not been built (unittest/run builds it)")
+    return path
+
+
+@pytest.fixture
+def run_lammps(lmp, tmp_path):
+    """runs a script given as text; without expect_error the run must end well, with it the ERROR message
+    must contain that text"""
+
+    def run(script_text, nprocs=1, vars=None, cwd=None, expect_error=None, timeout=300):
+        folder = Path(cwd or tmp_path)
+        (folder / "in.test").write_text(script_text)
+        arguments = runner.command(lmp, "in.test", vars or {}, "log.test", nprocs)
+        done = subprocess.run(arguments, cwd=folder, env=environment(), text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=timeout, check=False)
+        log = folder / "log.test"
+        result = Run(done.returncode, done.stdout, log.read_text() if log.exists() else "")
+        if expect_error is None:
+            assert result.status == 0, result.stdout[-3000:]
+        else:
+            assert result.status != 0 and result.error, result.stdout[-3000:]
+            assert expect_error in result.error
+        return result
+
+    return run

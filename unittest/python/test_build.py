@@ -1,0 +1,138 @@
+"""Getting LAMMPS, building with it, and the plugin."""
+
+import re
+import subprocess
+import tarfile
+
+import pytest
+
+PACKAGES = ("MOLECULE", "BPM", "PLUGIN", "OPENMP")
+NOWHERE = "file:///no/such/place"
+
+
+def styles(root):
+    """(kind, name) of each style in the registration table"""
+    table = (root / "src" / "styles" / "potdem_styles.h").read_text()
+    return [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
+
+
+def plugin_list(run):
+    return set(re.findall(r"^ *\d+: (\w+) style plugin (\S+)$", run.stdout, re.MULTILINE))
+
+
+def configure(root, folder, *settings):
+    """configures the project in a new folder, with a compiler check as short as can be"""
+    return subprocess.run(["cmake", "-G", "Ninja", "-S", root, "-B", folder, *settings], text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+
+def one_line(text):
+    return " ".join(text.split())
+
+
+def fake_tree(folder, version):
+    for package in PACKAGES:
+        (folder / "src" / package).mkdir(parents=True)
+    (folder / "cmake").mkdir()
+    (folder / "cmake" / "CMakeLists.txt").write_text('message(FATAL_ERROR "as far as a fake tree goes")\n')
+    (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
+    return folder
+
+
+def fake_archive(folder, version):
+    archive = folder / "lammps.tar.gz"
+    with tarfile.open(archive, "w:gz") as tar:
+        tar.add(fake_tree(folder / "tree", version), "lammps-release")
+    return archive
+
+
+def test_styles_are_compiled_in(root, run_lammps):
+    help_text = run_lammps("info styles pair styles bond styles fix styles compute styles command\n").stdout
+    public = [name for _, name in styles(root) if name.islower()]
+    assert public and [name for name in public if name not in help_text.split()] == []
+
+
+def test_plugin_registers_every_style_of_the_table(root, build, run_lammps):
+    run = run_lammps(f"plugin load {build}/potdemplugin.so\nplugin list\n")
+    assert plugin_list(run) == set(styles(root))
+
+
+def test_plugin_is_found_by_path(root, build, run_lammps, monkeypatch):
+    monkeypatch.setenv("LAMMPS_PLUGIN_PATH", str(build))
+    assert plugin_list(run_lammps("plugin list\n")) == set(styles(root))
+
+
+def test_plugin_for_another_version_is_refused(build, run_lammps):
+    run = run_lammps(f"plugin load {build}/unittest/potdemplugin_wrongversion.so\nplugin list\n")
+    host = re.search(r"LAMMPS \((\d+ \w+ \d+)", run.stdout).group(1)
+    text = one_line(run.stdout)
+    assert "compiled for LAMMPS version 1 Jan 1970" in text
+    assert f"this LAMMPS is version {host}" in text
+    assert "-D LAMMPS_SOURCE_DIR=" in text
+    assert plugin_list(run) == set()
+
+
+def test_plugin_without_its_styles_says_what_is_missing(build, run_lammps, tmp_path):
+    (tmp_path / "potdemplugin.so").write_bytes((build / "potdemplugin.so").read_bytes())
+    run = run_lammps("plugin load ./potdemplugin.so\nplugin list\n")
+    assert "potdemstyles.so must lie beside the plugin" in one_line(run.stdout)
+    assert plugin_list(run) == set()
+
+
+def test_plugin_built_with_a_given_source_tree_and_without_warnings(root, build, run_lammps, tmp_path):
+    tree = re.search(r"^POTDEM_LAMMPS_DIR:INTERNAL=(.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    other = tmp_path / "build"
+    configured = configure(root, other, f"-DLAMMPS_SOURCE_DIR={tree.group(1)}", "-DCMAKE_BUILD_TYPE=Debug",
+                           "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -Werror")
+    assert configured.returncode == 0, configured.stdout[-3000:]
+    built = subprocess.run(["cmake", "--build", other, "--target", "potdemplugin"], text=True, check=False,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert built.returncode == 0, built.stdout[-3000:]
+    assert plugin_list(run_lammps(f"plugin load {other}/potdemplugin.so\nplugin list\n")) == set(styles(root))
+
+
+@pytest.mark.parametrize("version, problem", [(None, "is not a LAMMPS source tree"),
+                                              ("29 Aug 2024", "holds LAMMPS 29 Aug 2024, POTDEM needs 4 Feb 2025")])
+def test_a_wrong_source_tree_is_refused(root, tmp_path, version, problem):
+    tree = fake_tree(tmp_path / "tree", version) if version else tmp_path
+    configured = configure(root, tmp_path / "build", f"-DLAMMPS_SOURCE_DIR={tree}")
+    assert configured.returncode != 0
+    assert problem in one_line(configured.stdout)
+    assert "-D LAMMPS_SOURCE_DIR=" in configured.stdout
+
+
+def fetch(root, tmp_path, upstream, mirror):
+    """configures with an empty cache; returns its output and where the tree should be"""
+    cache = tmp_path / "cache"
+    configured = configure(root, tmp_path / "build", "-DLAMMPS_SOURCE_DIR=", f"-DPOTDEM_CACHE_DIR={cache}",
+                           f"-DPOTDEM_UPSTREAM_URL={upstream}", f"-DPOTDEM_MIRRORS={mirror}")
+    return one_line(configured.stdout), cache / "lammps-4Feb2025"
+
+
+def test_unreachable_sources_name_the_remedy(root, tmp_path):
+    text, tree = fetch(root, tmp_path, NOWHERE, NOWHERE)
+    assert "could not be fetched" in text and "upstream:" in text and "package mirror:" in text
+    assert "cmake --preset default -D LAMMPS_SOURCE_DIR=/path/to/lammps" in text
+    assert not tree.exists()
+
+
+def test_upstream_archive_is_unpacked(root, tmp_path):
+    text, tree = fetch(root, tmp_path, fake_archive(tmp_path, "4 Feb 2025").as_uri(), NOWHERE)
+    assert (tree / "src" / "version.h").exists() and "as far as a fake tree goes" in text
+    assert not (tree.parent / "fetching").exists()
+
+
+def test_upstream_archive_of_another_version_is_refused(root, tmp_path):
+    text, tree = fetch(root, tmp_path, fake_archive(tmp_path, "4 Jul 2026").as_uri(), NOWHERE)
+    assert "the archive holds LAMMPS 4Jul2026, not 4Feb2025" in text
+    assert not tree.exists()
+
+
+def test_mirror_archive_with_a_wrong_checksum_is_refused(root, tmp_path):
+    debian_file = re.search(r"POTDEM_DEBIAN_FILE (\S+)\)", (root / "cmake" / "LAMMPSFetch.cmake").read_text())
+    place = tmp_path / "mirror" / debian_file.group(1)
+    place.parent.mkdir(parents=True)
+    fake_archive(tmp_path, "4 Feb 2025").rename(place)
+    text, tree = fetch(root, tmp_path, NOWHERE, (tmp_path / "mirror").as_uri())
+    assert "wrong checksum" in text
+    assert not tree.exists()

@@ -1,0 +1,66 @@
+"""Reading thermo output and error messages."""
+
+import logfile
+import pytest
+
+TWO_RUNS = """LAMMPS (4 Feb 2025 - Update 1)
+Per MPI rank memory allocation (min/avg/max) = 1 | 1 | 1 Mbytes
+   Step          Temp     v_broken
+         0   1.5            0
+        10   1.25           0
+Loop time of 1 on 1 procs for 10 steps with 2 atoms
+
+Total # of neighbors = 3
+   Step          Temp     v_broken
+        10   1.25           0
+WARNING: something happened at step 12
+        20   nan            3
+Loop time of 1 on 1 procs for 10 steps with 2 atoms
+"""
+
+YAML_RUN = """---
+keywords: ['Step', 'Temp', 'c_x[1]', ]
+data:
+  - [0, 1.5, 2, ]
+  - [10, -1e-3, 3, ]
+...
+Loop time of 1
+"""
+
+
+def test_runs_are_joined_without_the_shared_step():
+    table = logfile.thermo(TWO_RUNS)
+    assert table["Step"].tolist() == [0, 10, 20]
+    assert table["v_broken"].tolist() == [0, 0, 3]
+
+
+def test_yaml_output():
+    table = logfile.thermo(YAML_RUN)
+    assert list(table) == ["Step", "Temp", "c_x[1]"]
+    assert table["Temp"].tolist() == [1.5, -1e-3]
+
+
+def test_runs_with_other_columns_are_refused():
+    with pytest.raises(logfile.LogError, match="differ in their columns"):
+        logfile.thermo(TWO_RUNS + "   Step   Temp\n   20 1\n")
+
+
+def test_a_log_without_thermo_output_is_refused():
+    with pytest.raises(logfile.LogError, match="no thermo output"):
+        logfile.thermo("LAMMPS (4 Feb 2025)\n")
+
+
+def test_version():
+    assert logfile.version(TWO_RUNS) == "4Feb2025"
+
+
+def test_error_message_is_one_line():
+    text = "ERROR: Unknown keyword\n  frction in pair_coeff (src/pair.cpp:12)\nLast input line: pair_coeff * *\n"
+    assert logfile.error_message(text) == "Unknown keyword frction in pair_coeff"
+    assert logfile.error_message("ERROR on proc 3: Bond too long (a.cpp:1)\n") == "Bond too long"
+    assert logfile.error_message("all is well\n") is None
+
+
+def test_error_message_of_lammps(run_lammps):
+    run = run_lammps("units si\npair_style no/such/style\n", expect_error="no/such/style")
+    assert run.error.startswith("Unrecognized pair style")
