@@ -215,7 +215,6 @@ void BondPotdemTruss::pack()
       }
     }
   }
-  over.clear();
 }
 
 // LAMMPS lists the bonds by owned atom already; within one atom the ghosts go last
@@ -348,12 +347,16 @@ bool BondPotdemTruss::centred(int type, int i, double spacing) const
 void BondPotdemTruss::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
-  if (generation != bond_store->generation) {
-    pack();
-    choose_kernels();
-  }
+  refresh();
   over.clear();
   (this->*(evflag ? tallied : quiet))();
+}
+
+void BondPotdemTruss::refresh()
+{
+  if (generation == bond_store->generation) return;
+  pack();
+  choose_kernels();
 }
 
 // the smallest kernel that the coefficients and the failure fixes need
@@ -447,16 +450,6 @@ POTDEM::Evaluation BondPotdemTruss::law(int type, double r, double re, double mo
 }
 
 /* ---------------------------------------------------------------------- */
-
-double BondPotdemTruss::stretch2(int i, int n) const
-{
-  return distance2(atom->x[i], atom->x[bonds.partner[n]]) * bonds.inverse_length2[n];
-}
-
-double BondPotdemTruss::bond_energy(int i, int n) const
-{
-  return energy_at(n, stretch2(i, n));
-}
 
 // a bond of zero stiffness and type 0 (which has no strength) until the list is rebuilt
 void BondPotdemTruss::cut(int i, tagint partner)

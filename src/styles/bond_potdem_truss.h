@@ -40,9 +40,8 @@ class BondPotdemTruss : public Bond {
   const std::vector<Overstretched> &overstretched() const { return over; }
   int partner(int n) const { return bonds.partner[n]; }
   int type(int n) const { return bonds.type[n]; }
-  double stretch2(int i, int n) const;       // (r/re)^2 now
-  double bond_energy(int i, int n) const;    // now
-  void cut(int i, tagint partner);           // no force from here on
+  void refresh();                     // follow the latest rebuild of the bond list
+  void cut(int i, tagint partner);    // no force from here on
 
  protected:
   enum AreaMode { FACTOR, LATTICE };

@@ -6,10 +6,10 @@
 /* Failure of trusses (thesis 5.2.4): a bond whose axial stress reached its strength at one step is gone
    from the next step on, for good.
 
-   The bond loop notes which bonds are overstretched while it computes their force. Before the forces of
-   the next step, the rank that owns the end with the lower ID decides, all ranks are told, and each
-   removes the bond where it holds it: no two ranks can disagree by rounding. The elastic energy that
-   the bond has at that moment is the fracture energy. Nothing is removed during set-up. */
+   The bond loop notes which bonds are overstretched while it computes their force. At the end of the
+   step the rank that owns the end with the lower ID reports them to all ranks, and before the forces of
+   the next step each rank removes them where it holds them: no two ranks can disagree by rounding. The
+   elastic energy that a bond has at that moment is its fracture energy. Set-up removes nothing. */
 
 #include "fix_potdem_failure.h"
 
@@ -69,7 +69,7 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
 
 int FixPotdemFailure::setmask()
 {
-  return PRE_EXCHANGE | PRE_FORCE;
+  return PRE_EXCHANGE | PRE_FORCE | END_OF_STEP;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -87,14 +87,53 @@ void FixPotdemFailure::setup(int /*vflag*/)
 {
   if (force->special_lj[1] != 0.0 || force->special_lj[2] != 1.0 || force->special_lj[3] != 1.0)
     error->all(FLERR, "Fix potdem/failure {} needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds sets it", id);
+  agree();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemFailure::end_of_step()
+{
+  agree();
+}
+
+// every rank gets what the others have, in the order of the ranks
+template <class Item> static std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world, int nprocs)
+{
+  if (nprocs == 1) return mine;
+  int count = mine.size() * sizeof(Item), total;
+  MPI_Allreduce(&count, &total, 1, MPI_INT, MPI_SUM, world);
+  std::vector<Item> all(total / sizeof(Item));
+  if (total == 0) return all;
+  std::vector<int> counts(nprocs), starts(nprocs, 0);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (int rank = 1; rank < nprocs; rank++) starts[rank] = starts[rank - 1] + counts[rank - 1];
+  MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, world);
+  return all;
+}
+
+void FixPotdemFailure::agree()
+{
+  std::vector<tagint> mine;
+  const tagint *tag = atom->tag;
+  for (const auto &over : bond->overstretched()) {
+    const int i = over.i, j = bond->partner(over.n);
+    if (bond->type(over.n) != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
+    if (j >= atom->nlocal && tag[j] < tag[i]) continue;
+    mine.push_back(MIN(tag[i], tag[j]));
+    mine.push_back(MAX(tag[i], tag[j]));
+  }
+  pending = gather(mine, world, comm->nprocs);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixPotdemFailure::pre_force(int /*vflag*/)
 {
-  const auto failed = decide();
-  if (failed.empty()) return;
+  if (pending.empty()) return;
+  bond->refresh();
+  const auto failed = describe_pending();
+  pending.clear();
   for (const auto &failure : failed) {
     remove(failure);
     (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
@@ -104,30 +143,15 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
   next_reneighbor = update->ntimestep + 1;    // the pair must come into the neighbour list
 }
 
-/* ----------------------------------------------------------------------
-   all ranks: the bonds that fail now, in the order of the ranks
-------------------------------------------------------------------------- */
-
-std::vector<FixPotdemFailure::Failure> FixPotdemFailure::decide()
+std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
 {
   std::vector<Failure> mine;
-  for (const auto &over : bond->overstretched()) {
-    const int j = bond->partner(over.n);
-    if (bond->type(over.n) != btype || !(atom->mask[over.i] & atom->mask[j] & groupbit)) continue;
-    if (j < atom->nlocal || atom->tag[over.i] < atom->tag[j]) mine.push_back(describe(over.i, over.n));
+  for (std::size_t k = 0; k < pending.size(); k += 2) {
+    const int i = atom->map(pending[k]);
+    if (i >= 0 && i < atom->nlocal) mine.push_back(describe(i, pending[k + 1]));
   }
   record(mine);
-  if (comm->nprocs == 1) return mine;
-
-  int count = FAILURE_WIDTH * mine.size(), total;
-  MPI_Allreduce(&count, &total, 1, MPI_INT, MPI_SUM, world);
-  std::vector<Failure> all(total / FAILURE_WIDTH);
-  if (total == 0) return all;
-  std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int rank = 1; rank < comm->nprocs; rank++) starts[rank] = starts[rank - 1] + counts[rank - 1];
-  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, world);
-  return all;
+  return gather(mine, world, comm->nprocs);
 }
 
 void FixPotdemFailure::record(const std::vector<Failure> &failed)
@@ -140,18 +164,24 @@ void FixPotdemFailure::record(const std::vector<Failure> &failed)
   size_local_rows = static_cast<int>(rows.size());
 }
 
-FixPotdemFailure::Failure FixPotdemFailure::describe(int i, int n) const
+FixPotdemFailure::Failure FixPotdemFailure::describe(int i, tagint partner) const
 {
-  const int j = bond->partner(n);
+  const int j = domain->closest_image(i, atom->map(partner));
   const double *xi = atom->x[i], *xj = atom->x[j];
-  const double q = bond->stretch2(i, n), dbar = atom->radius[i] + atom->radius[j];
   const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
-  const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
+  const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2], r = sqrt(r2);
+  const double re = bond_store->length(i, bond_store->slot(i, partner));
+  double unused;
   return {static_cast<double>(update->ntimestep),
           update->atime + (update->ntimestep - update->atimestep) * update->dt,
-          static_cast<double>(MIN(atom->tag[i], atom->tag[j])), static_cast<double>(MAX(atom->tag[i], atom->tag[j])),
-          0.5 * (xi[0] + xj[0]), 0.5 * (xi[1] + xj[1]), 0.5 * (xi[2] + xj[2]), POTDEM::truss_strain(q),
-          bond->bond_energy(i, n), r < dbar ? r : 0.0};
+          static_cast<double>(atom->tag[i]),
+          static_cast<double>(partner),
+          0.5 * (xi[0] + xj[0]),
+          0.5 * (xi[1] + xj[1]),
+          0.5 * (xi[2] + xj[2]),
+          POTDEM::truss_strain(r2 / (re * re)),
+          bond->single(btype, r2, i, j, unused),
+          r < atom->radius[i] + atom->radius[j] ? r : 0.0};
 }
 
 /* ----------------------------------------------------------------------

@@ -19,6 +19,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   void init() override;
   void setup(int) override;
   void pre_force(int) override;
+  void end_of_step() override;
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
@@ -39,8 +40,11 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   std::vector<Failure> events;    // decided by this rank, and its rows for the local output
   std::vector<double *> rows;
 
-  std::vector<Failure> decide();
-  Failure describe(int i, int n) const;
+  std::vector<tagint> pending;    // pairs of IDs, the same on all ranks
+
+  void agree();
+  std::vector<Failure> describe_pending();
+  Failure describe(int i, tagint partner) const;
   void record(const std::vector<Failure> &);
   void remove(const Failure &);
 };
