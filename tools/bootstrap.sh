@@ -1,5 +1,4 @@
-# Sourced by examples/run and unittest/run: installs what is missing, builds, and sets up the environment
-# that LAMMPS is run in. The Debian packages are named here and nowhere else.
+# Sourced by examples/run and unittest/run: installs what is missing and builds. The Debian packages are named here and nowhere else.
 # shellcheck shell=bash
 
 POTDEM_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -106,23 +105,14 @@ build_potdem() {
   wait "$watcher" 2>/dev/null || true
   if [ -t 1 ]; then printf '\r\033[K'; fi
   if [ "$built" = no ]; then
-    tail -n 40 "$log" >&2
+    # the first error is the one that matters, and hundreds of lines may follow it
+    grep -aE -m 1 -A 24 'CMake Error|FAILED:|error:' "$log" >&2 || tail -n 25 "$log" >&2
     die "The build failed. Its whole output is in $log"
   fi
-}
-
-run_environment() {
-  if [ "$(id -u)" -eq 0 ]; then
-    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  fi
-  # containers forbid the system call that Open MPI would copy between processes with
-  export OMPI_MCA_btl_vader_single_copy_mechanism=none
-  export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 }
 
 # bootstrap yes|no: whether missing packages may be installed
 bootstrap() {
   require_packages "$1"
   build_potdem
-  run_environment
 }

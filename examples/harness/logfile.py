@@ -22,7 +22,7 @@ def _blocks(lines):
     for line in lines:
         words = line.split()
         if line.startswith("keywords: ["):
-            columns = re.findall(r"[^\s,'\[\]]+", line.split(":", 1)[1])
+            columns = re.findall(r"'([^']*)'", line)
             yield columns, []
         elif words[:1] == ["Step"]:
             columns = words

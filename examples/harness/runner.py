@@ -1,5 +1,6 @@
 """Runs LAMMPS on a scene's script and shows how it gets on."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -58,6 +59,18 @@ def clock(seconds):
     return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"
 
 
+def environment():
+    """what LAMMPS is run with, besides the user's own environment"""
+    settings = {
+        "OMP_NUM_THREADS": "1",
+        # containers forbid the system call that Open MPI would copy between processes with
+        "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    }
+    if os.getuid() == 0:
+        settings.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return {**settings, **os.environ}
+
+
 def command(lmp, script, variables, log, nprocs):
     """LAMMPS's command line; nothing is buffered so that progress is seen at once"""
     arguments = [str(lmp), "-in", str(script), "-log", str(log), "-nonbuf"]
@@ -72,8 +85,8 @@ def run(arguments, folder, title):
     """None when LAMMPS ended well, else what it said"""
     progress = Progress(title)
     output = []
-    with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          stdin=subprocess.DEVNULL, text=True, errors="replace") as process:
+    with subprocess.Popen(arguments, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, text=True,
+                          errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
         for line in process.stdout:
             progress.read(line)
             output.append(line)

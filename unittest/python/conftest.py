@@ -36,13 +36,6 @@ class Run:
         return logfile.error_message(self.stdout)
 
 
-def environment():
-    settings = {"OMP_NUM_THREADS": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
-    if os.getuid() == 0:
-        settings.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return {**settings, **os.environ}
-
-
 @pytest.fixture(scope="session")
 def root():
     return ROOT
@@ -71,7 +64,7 @@ def run_lammps(lmp, tmp_path):
         folder = Path(cwd or tmp_path)
         (folder / "in.test").write_text(script_text)
         arguments = runner.command(lmp, "in.test", vars or {}, "log.test", nprocs)
-        done = subprocess.run(arguments, cwd=folder, env=environment(), text=True, stdout=subprocess.PIPE,
+        done = subprocess.run(arguments, cwd=folder, env=runner.environment(), text=True, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=timeout, check=False)
         log = folder / "log.test"
         result = Run(done.returncode, done.stdout, log.read_text() if log.exists() else "")

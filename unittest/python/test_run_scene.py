@@ -1,0 +1,123 @@
+"""examples/run's harness on a small scene of its own."""
+
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+SCRIPT = """
+variable speed index 1.0
+print "POTDEM total steps 40"
+region box block 0 4 0 4 0 4
+lattice sc 1.0
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+pair_style zero 1.5
+pair_coeff * *
+comm_modify cutoff 2.0
+velocity all set ${speed} 0 0
+fix move all nve
+variable broken equal step>25
+thermo_style custom step ke v_broken
+thermo 10
+run 20
+run 20
+print "done" file ${out}/done.txt
+"""
+
+SETTINGS = """
+title: Atoms that fly on
+variants:
+  slow: {description: at unit speed}
+  fast: {vars: {speed: 2.0}, description: at twice that}
+default_variants: [slow]
+reference:
+  break_column: v_broken
+  columns:
+    Step: {all: true, abs: 0}
+    KinEng: [{before: first_break, rel: 1.0e-6}, {final: true, rel: 0.1}]
+    v_broken: {final: true, rel: 0.1}
+"""
+
+PLOT = """
+import sys
+from pathlib import Path
+assert (Path(sys.argv[1]) / "done.txt").exists()
+Path(sys.argv[2]).write_text("a picture")
+"""
+
+
+@pytest.fixture
+def examples(root, lmp, tmp_path):
+    """a copy of the harness with one scene beside it; runs it with the arguments given"""
+    shutil.copytree(root / "examples" / "harness", tmp_path / "examples" / "harness")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build" / "lmp").symlink_to(lmp)
+    scene = tmp_path / "examples" / "flight"
+    scene.mkdir()
+    (scene / "in.flight").write_text(SCRIPT)
+    (scene / "scene.yaml").write_text(SETTINGS)
+    (scene / "plot.py").write_text(PLOT)
+
+    def run(*arguments):
+        return subprocess.run([sys.executable, tmp_path / "examples" / "harness" / "run_scene.py", *arguments],
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+
+    run.scene = scene
+    return run
+
+
+@pytest.fixture
+def with_reference(examples):
+    made = examples("flight", "slow", "fast", "--update-reference")
+    assert made.returncode == 0, made.stdout
+    return examples
+
+
+def reference(examples, variant):
+    return next(examples.scene.glob(f"log.*.flight.{variant}.g++.1"))
+
+
+def test_scenes_are_listed(examples):
+    text = examples("--list").stdout
+    assert "flight: Atoms that fly on" in text and "* slow" in text and "at twice that" in text
+
+
+def test_a_scene_passes_against_its_own_reference(with_reference):
+    run = with_reference("flight")
+    assert run.returncode == 0
+    assert run.stdout.endswith("5 checks passed, 0 failed\n")
+    assert "flight.slow.png" in run.stdout and reference(with_reference, "slow").name in run.stdout
+
+
+def test_variants_and_ranks(with_reference):
+    run = with_reference("flight", "slow", "fast", "-np", "2")
+    assert run.returncode == 0, run.stdout
+    assert run.stdout.endswith("10 checks passed, 0 failed\n")
+    assert "there is no reference" in run.stdout and "fast.np2" in run.stdout
+
+
+def test_a_changed_reference_fails(with_reference):
+    log = reference(with_reference, "slow")
+    log.write_text(log.read_text().replace("        10   0.5", "        10   0.6"))
+    run = with_reference("flight")
+    assert run.returncode == 1
+    assert "FAIL" in run.stdout and run.stdout.endswith("4 checks passed, 1 failed\n")
+
+
+def test_an_error_of_lammps_is_shown(examples):
+    (examples.scene / "in.flight").write_text("units si\npair_style no/such/style\n")
+    run = examples("flight")
+    assert run.returncode == 1
+    assert "ERROR: Unrecognized pair style 'no/such/style'" in run.stdout and "log.running" in run.stdout
+
+
+@pytest.mark.parametrize("arguments, message", [(["fligth"], "no scene 'fligth'; there are: flight"),
+                                                (["flight", "high"], "has no variant 'high'; there are: slow, fast"),
+                                                (["flight"], "no reference log")])
+def test_what_does_not_exist_is_named(examples, arguments, message):
+    run = examples(*arguments)
+    assert run.returncode == 1
+    assert message in run.stdout
