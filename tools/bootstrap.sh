@@ -1,4 +1,5 @@
-# Sourced by examples/run and unittest/run: installs what is missing and builds. The Debian packages are named here and nowhere else.
+# Sourced by examples/run and unittest/run: installs what is missing and builds.
+# The Debian packages are named here and nowhere else.
 # shellcheck shell=bash
 
 POTDEM_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

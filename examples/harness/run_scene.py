@@ -1,6 +1,7 @@
 """Runs a scene's variants, compares each with its reference log and draws its picture (see examples/run)."""
 
 import argparse
+import os
 import shutil
 import subprocess
 import sys
@@ -35,7 +36,9 @@ def simulate(variant, nprocs):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     running = folder / "log.running"
-    arguments = runner.command(LMP, variant.scene.script, {**variant.variables, "out": folder}, running, nprocs)
+    # relative, because LAMMPS repeats it in the log, which may become a reference
+    out = os.path.relpath(folder, variant.scene.folder)
+    arguments = runner.command(LMP, variant.scene.script, {**variant.variables, "out": out}, running, nprocs)
     problem = runner.run(arguments, variant.scene.folder, f"{variant.label} on {nprocs} rank(s)")
     if problem:
         raise Failure(f"{problem}\nlog: {running}\ncommand: {' '.join(arguments)}")
