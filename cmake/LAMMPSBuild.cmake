@@ -24,11 +24,12 @@ foreach(kind PAIR BOND FIX COMPUTE COMMAND)
 endforeach()
 
 add_subdirectory(${POTDEM_LAMMPS_DIR}/cmake lammps)
+get_target_property(POTDEM_LAMMPS_INCLUDES lammps INCLUDE_DIRECTORIES)
 
 # what a source of this package is compiled with, in liblammps and in the plugin alike
 function(potdem_compile_settings target)
   target_include_directories(${target} PRIVATE ${POTDEM_STYLES_DIR} ${PROJECT_SOURCE_DIR}/src)
-  target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:lammps,INCLUDE_DIRECTORIES>)
+  target_include_directories(${target} SYSTEM PRIVATE ${POTDEM_LAMMPS_INCLUDES})
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)

@@ -70,18 +70,19 @@ build_state() {
 }
 
 # Shows how the build that writes the log $1 gets on, until it is killed or the process $2 has gone. Nothing is
-# shown in the first seconds: a build with nothing to do is quiet.
+# shown in the first seconds: a build with nothing to do is quiet. A sleep that outlives its watcher must
+# not hold the script's output open.
 watch_build() {
   local log=$1 script=$2 start=$SECONDS line
-  sleep 4
+  sleep 4 &>/dev/null
   while kill -0 "$script" 2>/dev/null; do
     line=$(printf '%s  %d:%02d' "$(build_state "$log")" $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60)))
     if [ -t 1 ]; then
       printf '\r\033[K%s' "$line"
-      sleep 1
+      sleep 1 &>/dev/null
     else
       printf '%s\n' "$line"
-      sleep 20
+      sleep 20 &>/dev/null
     fi
   done
 }
