@@ -99,12 +99,16 @@ configure_and_build() {
 build_potdem() {
   local log=$POTDEM_BUILD/build.log watcher built=yes
   mkdir -p "$POTDEM_BUILD"
+  # a second command that is started meanwhile waits and finds the build done
+  exec 9>"$POTDEM_BUILD/.lock"
+  flock 9
   : >"$log"
-  watch_build "$log" $$ &
+  watch_build "$log" $$ 9>&- &
   watcher=$!
   (configure_and_build) >"$log" 2>&1 || built=no
   kill "$watcher"
   wait "$watcher" 2>/dev/null || true
+  exec 9>&-
   if [ -t 1 ]; then printf '\r\033[K'; fi
   if [ "$built" = no ]; then
     # the first error is the one that matters, and hundreds of lines may follow it
