@@ -17,15 +17,22 @@ endif()
 set(POTDEM_CACHE_DIR ${cache} CACHE PATH "Where fetched LAMMPS sources are kept")
 
 # Upstream generates this archive on request, so no checksum of it can be known in advance: its contents
-# are checked after unpacking. Seconds without data count, not the whole time: slow lines may be slow.
+# are checked after unpacking. curl, because file(DOWNLOAD) cannot limit the time to connect alone, and
+# a slow line may be slow.
 function(potdem_download_upstream file problem)
   message(STATUS "POTDEM: fetching LAMMPS ${POTDEM_RELEASE} from upstream")
-  file(DOWNLOAD ${POTDEM_UPSTREAM_URL} ${file} INACTIVITY_TIMEOUT 10 STATUS status)
-  list(POP_FRONT status code text)
+  find_program(CURL curl)
+  if(NOT CURL)
+    set(${problem} "upstream: curl is not installed" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND ${CURL} --fail --location --silent --show-error --connect-timeout 10
+      --speed-limit 1 --speed-time 30 --output ${file} ${POTDEM_UPSTREAM_URL}
+    RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
+  set(${problem} "" PARENT_SCOPE)
   if(NOT code EQUAL 0)
+    string(STRIP "${text}" text)
     set(${problem} "upstream: ${text}" PARENT_SCOPE)
-  else()
-    set(${problem} "" PARENT_SCOPE)
   endif()
 endfunction()
 
