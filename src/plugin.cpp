@@ -68,9 +68,10 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   void *init = styles ? dlsym(styles, "potdem_register_styles") : nullptr;
   if (!init) {
     warn(lmp,
-         std::string(dlerror()) + ". " POTDEM_PLUGIN_STYLES
-                                  " must lie beside the plugin, and LAMMPS must have the packages "
-                                  "MOLECULE and BPM");
+         std::string(dlerror()) +
+             ". " POTDEM_PLUGIN_STYLES
+             " must lie beside the plugin, and LAMMPS must have the packages "
+             "MOLECULE and BPM");
     return;
   }
   reinterpret_cast<lammpsplugin_initfunc>(init)(lmp, handle, regfunc);

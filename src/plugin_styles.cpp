@@ -80,7 +80,8 @@ potdem_register_styles(void *lmp, void *handle, void *regfunc)
 #define BondStyle(key, Class) registration.add("bond", #key, &create<Bond, Class>)
 #define CommandStyle(key, Class) registration.add("command", #key, &create<Command, Class>)
 #define FixStyle(key, Class) registration.add("fix", #key, &create_with_args<Fix, Class>)
-#define ComputeStyle(key, Class) registration.add("compute", #key, &create_with_args<Compute, Class>)
+#define ComputeStyle(key, Class) \
+  registration.add("compute", #key, &create_with_args<Compute, Class>)
 
 #define PAIR_CLASS
 #include "potdem_styles.h"
