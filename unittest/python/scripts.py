@@ -1,0 +1,141 @@
+"""LAMMPS input that the tests share, and readers of what it writes."""
+
+import math
+import re
+
+import numpy as np
+
+ALL_DIGITS = "%.17g"
+
+
+def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3):
+    """an empty box with its corner at -size/2, size a number or three"""
+    half = 0.5 * np.broadcast_to(np.asarray(size, dtype=float), 3)
+    sides = " ".join(f"{-h:.17g} {h:.17g}" for h in half)
+    return "\n".join([
+        f"units {units}",
+        f"newton {newton}" if newton else "",
+        f"atom_style {atom_style}",
+        f"boundary {boundary}",
+        f"region box block {sides} units box",
+        f"create_box {types} box bond/types {bond_types} extra/bond/per/atom 1 extra/special/per/atom 100",
+        f"neighbor {skin} bin",
+        "neigh_modify delay 0 every 1 check yes",
+        "thermo_modify format float %.17g lost error flush yes",
+        "",
+    ])
+
+
+def particles(rows, density=1.0):
+    """rows of (x, y, z, diameter) or (x, y, z, diameter, type)"""
+    lines = []
+    for number, (x, y, z, diameter, *kind) in enumerate(rows, start=1):
+        lines.append(f"create_atoms {kind[0] if kind else 1} single {x:.17g} {y:.17g} {z:.17g} units box")
+        lines.append(f"set atom {number} diameter {diameter:.17g}")
+    lines.append(f"set group all density {density:.17g}")
+    return "\n".join(lines) + "\n"
+
+
+def crystal(lattice="sc", spacing=1.0, region="box", diameter=None, density=1.0):
+    """a lattice with its first site half a spacing from the origin, so that no site lies on a cell's face;
+    spacing is the edge of the cube"""
+    return f"""
+lattice {lattice} {spacing:.17g} origin 0.25 0.25 0.25
+create_atoms 1 region {region}
+set group all diameter {spacing if diameter is None else diameter:.17g}
+set group all density {density:.17g}
+"""
+
+
+def elastic(E=1000.0, area="factor 0.5", bond="", contact=None, pair_options=""):
+    """pair and bond style with the same modulus in bonds and contacts; contact: area factor of contacts"""
+    return f"""
+pair_style potdem/truss
+pair_coeff * * {E:.17g} {contact or 0.5:.17g} {pair_options}
+bond_style potdem/truss
+bond_coeff * {E:.17g} area {area} {bond}
+"""
+
+
+def velocities_by_formula(amplitude):
+    """smooth velocities that differ from particle to particle, the same on any number of ranks"""
+    lines = [f"variable v{k} atom {amplitude}*sin(1.3*x+{i})*cos(0.9*y-{i})*sin(1.1*z+{2 * i}+0.4)"
+             for i, k in enumerate("xyz")]
+    return "\n".join([*lines, "velocity all set v_vx v_vy v_vz", ""])
+
+
+def result(*expressions):
+    """prints LAMMPS expressions with all digits; read them with results()"""
+    return 'print "RESULT ' + " ".join(f"$({e}:{ALL_DIGITS})" for e in expressions) + '"\n'
+
+
+def results(text):
+    """one row of numbers per result() line"""
+    return np.array([[float(word) for word in line.split()[1:]]
+                     for line in text.splitlines() if re.match(r"RESULT\s", line)])
+
+
+def results_by_length(text):
+    """{number of columns: rows} where a script prints several kinds of result() lines"""
+    kinds = {}
+    for line in text.splitlines():
+        if re.match(r"RESULT\s", line):
+            row = np.array([float(word) for word in line.split()[1:]])
+            kinds.setdefault(len(row), []).append(row)
+    return kinds
+
+
+def write_dump(file, columns):
+    return f"write_dump all custom {file} id {columns} modify sort id format float {ALL_DIGITS}\n"
+
+
+def read_dump(path):
+    """the snapshots of a dump file, atoms or local: a list of (step, {column: array})"""
+    snapshots = []
+    lines = iter(path.read_text().splitlines())
+    for line in lines:
+        if line == "ITEM: TIMESTEP":
+            step = int(next(lines))
+        elif line.startswith("ITEM: NUMBER OF"):
+            count = int(next(lines))
+        elif line.startswith(("ITEM: ATOMS", "ITEM: ENTRIES")):
+            names = line.split()[2:]
+            table = np.array([[float(word) for word in next(lines).split()] for _ in range(count)])
+            table = table.reshape(count, len(names))
+            snapshots.append((step, {name: table[:, k] for k, name in enumerate(names)}))
+    return snapshots
+
+
+def vectors(columns, *names):
+    return np.stack([columns[name] for name in names], axis=1)
+
+
+def section(mean_diameter, a=1.0):
+    return a * math.pi / 4.0 * mean_diameter**2
+
+
+def sphere_mass(diameter, density=1.0):
+    return density * math.pi / 6.0 * diameter**3
+
+
+def factor(x, m, normalized=False):
+    """eq. 5.22 of the thesis; m = 0: none"""
+    if m == 0:
+        return np.ones_like(np.asarray(x, dtype=float))
+
+    def c(y):
+        return (1 + (1 + y) ** -float(m)) / (1 - (1 + y) ** -float(m))
+
+    return c(np.asarray(x, dtype=float)) / (c(1.0) if normalized else 1.0)
+
+
+def truss_tension(x, modulus, m=0, normalized=False):
+    """axial force A E c eps of a truss stretched to x times its length, positive in tension"""
+    return modulus * factor(x, m, normalized) * 0.5 * (x * x - 1.0)
+
+
+def truss_energy(x, length, modulus, m=0, normalized=False):
+    """integral of the tension from rest, by Gauss-Legendre quadrature with 200 points"""
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    t = 1.0 + 0.5 * (x - 1.0) * (nodes + 1.0)
+    return 0.5 * (x - 1.0) * length * float(np.sum(weights * truss_tension(t, modulus, m, normalized)))
