@@ -1,0 +1,196 @@
+"""The documentation: every example runs, every style has a page, every page has its sections in order."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+DOCS = ROOT / "docs"
+README = ROOT / "README.md"
+
+OUTPUT_SECTION = {
+    "pair": "Mixing, shift, table, tail correction, restart, rRESPA info",
+    "bond": "Restart and other info",
+    "fix": "Restart, fix_modify, output, run start/stop, minimize info",
+    "compute": "Output info",
+    "command": "Output and restart info",
+}
+
+HEAD = """
+units si
+atom_style bpm/sphere
+boundary f f f
+lattice sc 0.005
+region box block -10 20 -10 20 -10 20
+create_box 2 box bond/types 2
+region beam block 0 9 0 4 0 4
+region block block 3 7 0 4 8 12
+create_atoms 1 region beam
+create_atoms 2 region block
+group beam type 1
+group block type 2
+set group all diameter 0.005 mass $(2400*0.005^3)
+velocity block set 0 0 -3
+"""
+NETWORKS = """
+potdem_bonds beam 1 2.0 diameters
+potdem_bonds block 2 2.0 diameters
+"""
+BONDS = """
+bond_style potdem/truss
+bond_coeff * 3e6 area factor 0.4
+"""
+PAIRS = """
+pair_style potdem/truss
+pair_coeff * * 3e6 0.4
+"""
+RUN = """
+timestep 5e-6
+thermo 10
+run 20
+"""
+
+
+def registered_styles():
+    """(kind, name) of the styles a user can name"""
+    table = (ROOT / "src" / "styles" / "potdem_styles.h").read_text()
+    found = [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
+    return [(kind, name) for kind, name in found if not name.isupper()]
+
+
+def page_of(kind, name):
+    stem = re.sub(r"\W", "_", name)
+    return DOCS / f"{stem if kind == 'command' else f'{kind}_{stem}'}.md"
+
+
+STYLES = registered_styles()
+PAGES = sorted(DOCS.glob("*.md"))
+
+
+def without_code(text):
+    """text whose fenced blocks are gone, so that a # in them is no heading"""
+    return re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
+def sections(text):
+    return re.findall(r"^## (.*)$", without_code(text), re.MULTILINE)
+
+
+def section(text, title):
+    match = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    assert match, f"no section {title}"
+    return match.group(1)
+
+
+def scripts(text):
+    """fenced LAMMPS blocks; an empty line separates examples that are not meant to follow each other"""
+    blocks = re.findall(r"^```LAMMPS\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    return [part.strip() + "\n" for block in blocks for part in re.split(r"\n\s*\n", block) if part.strip()]
+
+
+def in_scaffold(kind, example):
+    parts = {"command": NETWORKS, "bond": BONDS, "pair": PAIRS}
+    if kind in parts:
+        parts[kind] = example
+        after = ""
+    else:
+        after = example
+    return HEAD + parts["command"] + parts["bond"] + parts["pair"] + "fix move all nve\n" + after + RUN
+
+
+def examples():
+    for kind, name in STYLES:
+        page = page_of(kind, name)
+        if page.exists():
+            for number, example in enumerate(scripts(section(page.read_text(encoding="utf-8"), "Examples")), start=1):
+                yield pytest.param(kind, name, example, id=f"{page.stem}-{number}")
+
+
+def anchors(text):
+    """the anchors that GitHub gives to headings"""
+    headings = re.findall(r"^#+ (.*)$", without_code(text), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pytest.mark.parametrize("kind, name", STYLES, ids=[f"{kind}-{name}" for kind, name in STYLES])
+def test_style_has_a_page_with_its_sections_in_order(kind, name):
+    page = page_of(kind, name)
+    assert page.exists(), f"{kind} style {name} has no page {page.name}"
+    text = page.read_text(encoding="utf-8")
+    assert sections(text) == ["Syntax", "Examples", "Description", "From the thesis", OUTPUT_SECTION[kind], "Restrictions",
+                              "Related commands", "Default", "References"]
+    assert name in text.splitlines()[0]
+    assert page.name in (DOCS / "index.md").read_text(encoding="utf-8")
+    assert f"docs/{page.name}" in README.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("kind, name", STYLES, ids=[f"{kind}-{name}" for kind, name in STYLES])
+def test_page_names_every_keyword_that_the_style_reads(kind, name):
+    stem = page_of(kind, name).stem
+    source = ROOT / "src" / "styles" / f"{stem if kind != 'command' else name}.cpp"
+    keywords = re.findall(r'next_is\("(\w+)"\)', source.read_text())
+    page = page_of(kind, name).read_text(encoding="utf-8")
+    syntax = section(page, "Syntax")
+    assert [word for word in keywords if not re.search(rf"\b{word}\b", syntax)] == []
+
+
+@pytest.mark.parametrize("kind, name, example", examples())
+def test_example_runs(run_lammps, kind, name, example):
+    assert name in example
+    run = run_lammps(in_scaffold(kind, example))
+    assert run.thermo["Step"][-1] == 20
+
+
+def test_script_of_the_readme_breaks_the_beam_off_at_the_clamp(run_lammps):
+    (script,) = scripts(README.read_text(encoding="utf-8"))
+    # the fragment with atom 1, which is clamped, has the number 1
+    run = run_lammps(script + """
+compute piece all fragment/atom single yes
+compute least free reduce min c_piece
+run 0
+print "LEAST $(c_least)"
+""")
+    thermo = run.thermo
+    assert 100 < thermo["f_cracks"][-1] < 400
+    assert thermo["Bonds"][-1] + thermo["f_cracks"][-1] == thermo["Bonds"][0]
+    assert int(re.search(r"^LEAST (\d+)", run.stdout, re.MULTILINE).group(1)) > 1
+
+
+def test_script_of_the_readme_is_explained_line_by_line():
+    text = README.read_text(encoding="utf-8")
+    (script,) = scripts(text)
+    table = section(text, "A first script").split("| line |")[1]
+    explained = " ".join(re.findall(r"^\| (`.*?) \|", table, re.MULTILINE))
+    phrases = re.findall(r"`(.*?)`", explained)
+    for line in script.splitlines():
+        words = " ".join(line.split())
+        assert any(words.startswith(phrase) for phrase in phrases), f"not explained: {line}"
+
+
+@pytest.mark.parametrize("page", [README, *PAGES], ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    text = page.read_text(encoding="utf-8")
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"https?:", target):
+            continue
+        file, _, anchor = target.partition("#")
+        linked = (page.parent / file).resolve() if file else page
+        assert linked.exists(), f"{target} does not exist"
+        if anchor:
+            assert anchor in anchors(linked.read_text(encoding="utf-8")), f"{target}: no such heading"
+
+
+@pytest.mark.parametrize("page", [README, *PAGES], ids=lambda page: page.name)
+def test_files_named_in_tables_exist(page):
+    for name in re.findall(r"`((?:laws|styles)/\w+\.(?:h|cpp))`", page.read_text(encoding="utf-8")):
+        assert (ROOT / "src" / name).exists(), f"{name} does not exist"
+
+
+def test_page_of_the_thesis_covers_every_equation_of_the_model():
+    rows = re.findall(r"^\| ([^|]*) \|", (DOCS / "thesis.md").read_text(encoding="utf-8"), re.MULTILINE)
+    covered = set()
+    for row in rows:
+        for first, last in re.findall(r"5\.(\d+)a?b?(?: – 5\.(\d+))?(?!\.)", row):
+            covered |= set(range(int(first), int(last or first) + 1))
+    assert set(range(6, 35)) <= covered
