@@ -106,6 +106,12 @@ def read_dump(path):
     return snapshots
 
 
+def places(columns):
+    """the order of the particles by their positions x y z on a grid: LAMMPS numbers them differently on
+    different numbers of ranks"""
+    return np.lexsort(np.round(vectors(columns, "z", "y", "x"), 6).T)
+
+
 def vectors(columns, *names):
     return np.stack([columns[name] for name in names], axis=1)
 

@@ -1,0 +1,224 @@
+"""Bonds that fail: when, with what energy, and what is left between the two particles."""
+
+import numpy as np
+import pytest
+import scripts
+
+E, A = 1000.0, 0.5
+MODULUS = E * scripts.section(1.0, A)    # A E of two particles of diameter 1
+MASS = scripts.sphere_mass(1.0)
+COLUMNS = ("step", "time", "tag1", "tag2", "x", "y", "z", "strain", "energy", "contact")
+
+
+def pair_script(failure, distance=1.0, speed=(0.0, 0.0), bond="", contact=A, step=1e-4, every=1, diameter=1.0, group="all"):
+    """two bonded particles on the x axis with a speed each, positive to the right; thermo each step"""
+    return scripts.box(20) + scripts.particles([(0, 0, 0, diameter), (distance, 0, 0, diameter)]) + scripts.elastic(
+        E, f"factor {A}", bond, contact) + f"""
+potdem_bonds all 1 {1.1 * distance:.17g}
+group one id 1
+group two id 2
+velocity one set {speed[0]:.17g} 0 0
+velocity two set {speed[1]:.17g} 0 0
+fix move all nve
+fix failure {group} potdem/failure 1 {failure}
+timestep {step:.17g}
+variable r equal x[2]-x[1]
+variable f equal fx[2]
+thermo {every}
+thermo_style custom step v_r v_f pe ke etotal ebond evdwl f_failure f_failure[1] f_failure[2] f_failure[3] bonds
+thermo_modify format float {scripts.ALL_DIGITS}
+dump events all local 1 events.dump index f_failure[*]
+dump_modify events format float {scripts.ALL_DIGITS}
+"""
+
+
+def events(tmp_path):
+    """rows of the last snapshot of the events as dictionaries"""
+    _, table = scripts.read_dump(tmp_path / "events.dump")[-1]
+    count = len(table["index"])
+    return [{name: table[f"f_failure[{k}]"][row] for k, name in enumerate(COLUMNS, 1)} for row in range(count)]
+
+
+def stress(r, length=1.0, m=0, normalized=False):
+    """E c eps of the bond"""
+    return scripts.truss_tension(r / length, E, m, normalized)
+
+
+@pytest.mark.parametrize("bond, m, normalized", [("", 0, False), ("penetration 2", 2, False), ("penetration 3 normalized", 3, True)])
+def test_fails_at_the_strength_and_not_before(run_lammps, tmp_path, bond, m, normalized):
+    """pulled apart at a steady speed: the bond holds on the step where the stress reaches ft and is gone on the next"""
+    strength = 80.0
+    run = run_lammps(pair_script(f"tension {strength}", speed=(-2.0, 2.0), bond=bond) + "fix hold all setforce 0 0 0\nrun 400\n")
+    r, broken = run.thermo["v_r"], run.thermo["f_failure"]
+    sigma = stress(r, m=m, normalized=normalized)
+    first = int(np.argmax(sigma >= strength))
+    assert 0 < first < 398
+    assert np.all(broken[:first + 1] == 0) and np.all(broken[first + 1:] == 1)
+    assert np.all(run.thermo["Bonds"] == 1 - broken)
+    assert np.all(run.thermo["E_bond"][first + 1:] == 0) and np.all(run.thermo["E_vdwl"] == 0)
+    (event,) = events(tmp_path)
+    x = r[first + 1]    # where the two are when the bond is taken out
+    assert event["step"] == first + 1
+    assert event["time"] == pytest.approx((first + 1) * 1e-4, rel=1e-12)
+    assert {event["tag1"], event["tag2"]} == {1, 2}
+    assert (event["x"], event["y"], event["z"]) == pytest.approx((0.5, 0, 0), abs=1e-12)
+    assert event["strain"] == pytest.approx(0.5 * (x * x - 1), rel=1e-12)
+    assert event["energy"] == pytest.approx(scripts.truss_energy(x, 1.0, MODULUS, m, normalized), rel=1e-10)
+    assert event["contact"] == 0.0
+    assert run.thermo["f_failure[1]"][-1] == event["energy"]
+    assert (run.thermo["f_failure[2]"][-1], run.thermo["f_failure[3]"][-1]) == (1, 0)
+
+
+@pytest.mark.parametrize("failure, speed, vector", [("tension 80", 2.0, (1, 0)), ("compression 80", -2.0, (0, 1)),
+                                                    ("tension 80 compression 80", -2.0, (0, 1)),
+                                                    ("compression 80", 2.0, (0, 0)), ("tension 80", -2.0, (0, 0))])
+def test_each_strength_acts_on_its_side(run_lammps, failure, speed, vector):
+    run = run_lammps(pair_script(failure, speed=(-speed, speed)) + "fix hold all setforce 0 0 0\nrun 600\n")
+    assert (run.thermo["f_failure[2]"][-1], run.thermo["f_failure[3]"][-1]) == vector
+    assert run.thermo["f_failure"][-1] == sum(vector)
+
+
+def balance(thermo, dt):
+    """(range of total energy + fracture energy, what a step can explain): the bond goes at a step, so that
+    half a kick of its force at most is missing or too much, and velocity Verlet's own error is of second
+    order, (omega dt)^2/8 = 1e-6 here"""
+    total = thermo["TotEng"] + thermo["f_failure[1]"]
+    speed = np.sqrt(thermo["KinEng"].max() / MASS)    # of each of the two; twice that is the relative speed
+    return np.ptp(total), np.abs(thermo["v_f"]).max() * 2 * speed * dt / 2 + 2e-6 * total[0]
+
+
+def test_energy_balance_of_a_free_pair(run_lammps):
+    """total energy + fracture energy is constant; later contact is with compression only and elastic.
+    They are thrown together after the failure, so that they collide at the mean diameter."""
+    script = pair_script("tension 80", speed=(-3.0, 3.0), step=5e-5, every=4) + "run 1000\n"
+    script += "velocity one set 3 0 0\nvelocity two set -3 0 0\nrun 3000\n"
+    run = run_lammps(script)
+    step, r, force = run.thermo["Step"], run.thermo["v_r"], run.thermo["v_f"]
+    assert run.thermo["f_failure"][-1] == 1
+    change, explained = balance({name: values[step <= 1000] for name, values in run.thermo.items()}, 5e-5)
+    assert change < explained
+    collision = run.thermo["TotEng"][step > 1000]
+    assert np.ptp(collision) < 2e-6 * collision[0]
+    late = run.thermo["Bonds"] == 0
+    assert np.all(force[late & (r >= 1.0)] == 0.0)
+    assert np.any(late & (r < 1.0))
+    touching = late & (r < 1.0)
+    assert force[touching] == pytest.approx(-scripts.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+
+
+def overlapping(run_lammps, tmp_path, failure, speed, steps=6000, bond="", distance=0.8):
+    """two particles bonded at 0.8 of their diameter, so that they overlap while the bond fails"""
+    run = run_lammps(pair_script(failure, distance, speed, bond, step=5e-5, every=4) + f"run {steps}\n")
+    return run, events(tmp_path)
+
+
+def test_energy_balance_improves_with_the_step(run_lammps):
+    """the error of the balance is of first order at least: a quarter of the step leaves 0.3 of it or less"""
+    def error(dt):
+        steps = int(round(0.05 / dt))
+        return balance(run_lammps(pair_script("tension 80", speed=(-3, 3), step=dt, every=steps) + f"run {steps}\n").thermo, dt)[0]
+
+    assert error(1e-5) < 0.3 * error(4e-5)
+
+
+@pytest.mark.parametrize("failure, speed", [("tension 60", (-3.0, 3.0)), ("compression 60", (3.0, -3.0))])
+def test_failure_of_an_overlapping_pair_injects_no_energy(run_lammps, tmp_path, failure, speed):
+    """the contact that replaces the bond starts from zero force and energy at the distance of failure"""
+    run, rows = overlapping(run_lammps, tmp_path, failure, speed)
+    assert len(rows) == 1
+    contact = rows[0]["contact"]
+    assert contact < 1.0    # it did overlap
+    assert contact == pytest.approx(np.sqrt(2 * rows[0]["strain"] + 1) * 0.8, rel=1e-12)
+    change, explained = balance(run.thermo, 5e-5)
+    assert change < explained
+    after = run.thermo["TotEng"][run.thermo["Bonds"] == 0]
+    assert np.ptp(after) < 2e-6 * after[0]
+    late = run.thermo["Bonds"] == 0
+    r, force = run.thermo["v_r"][late], run.thermo["v_f"][late]
+    assert np.all(force >= 0.0)
+    assert np.all(force[r >= contact] == 0.0)
+    inside = r < contact
+    assert force[inside] == pytest.approx(-scripts.truss_tension(r[inside] / contact, MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+    if failure.startswith("compression"):
+        assert np.any(inside)
+
+
+def test_bonded_pairs_do_not_touch(run_lammps):
+    """no contact force between two bonded particles, however far they overlap"""
+    run = run_lammps(pair_script("tension 1e6", 0.5) + "run 0\nset atom 2 x 0.3\nrun 0\n" + scripts.result("evdwl", "ebond", "fx[2]"))
+    evdwl, ebond, force = scripts.results(run.stdout)[-1]
+    assert evdwl == 0.0
+    assert ebond == pytest.approx(scripts.truss_energy(0.6, 0.5, MODULUS), rel=1e-13)
+    assert force == pytest.approx(-scripts.truss_tension(0.6, MODULUS), rel=1e-13)
+
+
+def test_nothing_fails_during_set_up(run_lammps):
+    """far over the strength: run 0 leaves the bond in place, any number of times; the first step takes it"""
+    script = pair_script("tension 10", speed=(0, 0)) + "set atom 2 x 1.5\nrun 0\nrun 0\n" + scripts.result("f_failure", "bonds", "ebond")
+    script += "run 1\n" + scripts.result("f_failure", "bonds", "ebond")
+    still, gone = scripts.results(run_lammps(script).stdout)
+    assert tuple(still) == pytest.approx((0, 1, scripts.truss_energy(1.5, 1.0, MODULUS)), rel=1e-13)
+    assert tuple(gone) == (1, 0, 0)
+
+
+def test_only_bonds_inside_the_group_fail(run_lammps):
+    """both ends must belong to the group"""
+    for group, broken in (("one", 0), ("all", 1)):
+        run = run_lammps(pair_script("tension 10", speed=(-2, 2), group=group) + "run 300\n")
+        assert run.thermo["f_failure"][-1] == broken
+
+
+def test_only_its_own_bond_type_fails(run_lammps):
+    """two pairs with two types, both overstretched, two fixes with different strengths"""
+    script = scripts.box(30, bond_types=2) + scripts.particles([(0, k, 0, 1.0) for k in (-5, 5)] + [(1.0, k, 0, 1.0) for k in (-5, 5)])
+    script += scripts.elastic(E) + """
+group a id 1 3
+group b id 2 4
+potdem_bonds a 1 1.2
+potdem_bonds b 2 1.2
+fix weak all potdem/failure 1 tension 10
+fix strong all potdem/failure 2 tension 1e5
+fix move all nve
+velocity all set 0 0 0
+group right id 3 4
+velocity right set 3 0 0
+timestep 1e-4
+thermo_style custom step f_weak f_strong bonds
+run 300
+"""
+    run = run_lammps(script)
+    assert (run.thermo["f_weak"][-1], run.thermo["f_strong"][-1], run.thermo["Bonds"][-1]) == (1, 0, 1)
+
+
+def test_strength_of_a_dashpot_bond_is_elastic(run_lammps):
+    """the stress that counts is E c eps: a viscous force alone breaks nothing"""
+    run = run_lammps(pair_script("tension 10 compression 10", speed=(-50, 50), bond="damping 1.0", step=1e-7) + "run 3\n")
+    assert np.abs(run.thermo["v_f"][0]) > 10 * scripts.section(1.0, A)
+    assert run.thermo["f_failure"][-1] == 0
+
+
+def test_events_are_not_lost_between_dumps(run_lammps, tmp_path):
+    """a row per broken bond, whatever the rank, cumulative; the energies add up to the fix's own"""
+    script = scripts.box((8, 8, 20)) + "region body block -1.5 1.5 -1.5 1.5 -4 4\n" + scripts.crystal(region="body")
+    script += scripts.elastic(100.0) + """potdem_bonds all 1 1.42
+fix failure all potdem/failure 1 tension 3.0 compression 3.0
+fix move all nve
+velocity all ramp vz -2 2 z -4 4
+timestep 0.005
+thermo 10
+thermo_style custom step f_failure f_failure[1] f_failure[2] f_failure[3] bonds
+thermo_modify format float %.17g
+dump events all local 10 events.dump index f_failure[*]
+dump_modify events format float %.17g
+run 100
+"""
+    for nprocs in (1, 2):
+        run = run_lammps(script, nprocs=nprocs)
+        snapshots = scripts.read_dump(tmp_path / "events.dump")
+        for (step, table), broken, energy in zip(snapshots, run.thermo["f_failure"], run.thermo["f_failure[1]"]):
+            assert len(table["index"]) == broken
+            assert np.all(table["f_failure[1]"] <= step)
+            assert np.sum(table["f_failure[9]"]) == pytest.approx(energy, rel=1e-12)
+        assert run.thermo["f_failure"][-1] > 10
+        assert np.all(run.thermo["f_failure[2]"] + run.thermo["f_failure[3]"] == run.thermo["f_failure"])
+        assert run.thermo["Bonds"][-1] + run.thermo["f_failure"][-1] == run.thermo["Bonds"][0]

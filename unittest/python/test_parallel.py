@@ -1,0 +1,146 @@
+"""The number of ranks and the newton setting are no physics: same trajectories, same broken bonds."""
+
+import numpy as np
+import pytest
+import scripts
+
+# Sums in another order: rounding 1e-16 of the forces, growing over 300 steps of vibration
+RANKS_AGREE = 1e-9
+
+
+def body(newton=None, boundary="f f f", options=""):
+    """a vibrating block of 4 x 5 x 6 particles; in a periodic box it reaches across the boundaries"""
+    size = (4, 5, 6) if "p" in boundary else 24
+    return scripts.box(size, boundary, newton=newton) + "region body block -2 2 -2.5 2.5 -3 3\n" + scripts.crystal(
+        region="body") + scripts.elastic(E=100.0, area="lattice", bond=options, contact=0.3)
+
+
+def vibrate(steps=300, amplitude=0.3, more=""):
+    return scripts.velocities_by_formula(amplitude) + f"""
+fix 1 all nve
+timestep 0.02
+thermo 50
+thermo_style custom step pe ke pxx pyz
+thermo_modify format float {scripts.ALL_DIGITS}
+{scripts.write_dump("start.dump", "x y z")}
+{more}
+run {steps}
+""" + scripts.write_dump("end.dump", "xu yu zu vx vy vz")
+
+
+def order(tmp_path):
+    """places of the particles at the start"""
+    return scripts.places(scripts.read_dump(tmp_path / "start.dump")[0][1])
+
+
+def end_state(run_lammps, tmp_path, script, nprocs):
+    run = run_lammps(script, nprocs=nprocs)
+    _, columns = scripts.read_dump(tmp_path / "end.dump")[0]
+    return scripts.vectors(columns, "xu", "yu", "zu", "vx", "vy", "vz")[order(tmp_path)], run
+
+
+@pytest.mark.parametrize("boundary, options", [("f f f", "damping 0.02"), ("p p p", ""), ("p f p", "penetration 2")])
+def test_same_trajectory_on_any_number_of_ranks(run_lammps, tmp_path, boundary, options):
+    script = body(boundary=boundary, options=options) + "potdem_bonds all 1 1.42\n" + vibrate()
+    one, run = end_state(run_lammps, tmp_path, script, 1)
+    assert np.abs(one).max() > 1    # positions of order 1: absolute is relative
+    for nprocs in (2, 4):
+        state, other = end_state(run_lammps, tmp_path, script, nprocs)
+        assert np.abs(state - one).max() < RANKS_AGREE
+        for column in ("PotEng", "KinEng", "Pxx", "Pyz"):
+            scale = np.abs(run.thermo[column]).max()
+            assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale
+
+
+@pytest.mark.parametrize("nprocs", [1, 4])
+@pytest.mark.parametrize("newton", ["on off", "off off"])
+def test_newton_makes_no_difference(run_lammps, tmp_path, newton, nprocs):
+    """against the setting that potdem_bonds makes by itself, with contacts between two bodies"""
+    def script(setting):
+        text = body(setting) + "region low block INF INF INF INF INF 0\ngroup low region low\ngroup high subtract all low\n"
+        text += "potdem_bonds low 1 1.42\npotdem_bonds high 1 1.42\n"
+        return text + vibrate(more="velocity high set 0 0 -1 sum yes")
+
+    reference, run = end_state(run_lammps, tmp_path, script(None), 1)
+    state, other = end_state(run_lammps, tmp_path, script(newton), nprocs)
+    assert np.abs(state - reference).max() < RANKS_AGREE
+    assert other.thermo["PotEng"] == pytest.approx(run.thermo["PotEng"], rel=RANKS_AGREE, abs=RANKS_AGREE)
+
+
+# --- breaking --------------------------------------------------------------------------------------------
+
+def pulled_bar(boundary="f f f"):
+    """a bar of 3 x 3 x 12 pulled at both ends, weakened by a notch so that it breaks at one place"""
+    return scripts.box((9, 9, 30), boundary, bond_types=1) + f"""
+region body block -1.5 1.5 -1.5 1.5 -6 6
+{scripts.crystal(region="body")}
+region notch block -1.5 -0.5 INF INF -0.5 0.5
+{scripts.elastic(E=100.0)}
+potdem_bonds all 1 1.42 crack notch
+region top block INF INF INF INF 5 INF
+region bottom block INF INF INF INF INF -5
+group top region top
+group bottom region bottom
+fix failure all potdem/failure 1 tension 3.0
+fix 1 all nve
+velocity all ramp vz -0.8 0.8 z -6 6
+velocity top set 0.05 0.02 0.8
+velocity bottom set 0 0 -0.8
+fix top top setforce 0 0 0
+fix bottom bottom setforce 0 0 0
+timestep 0.01
+thermo 20
+thermo_style custom step pe ke f_failure f_failure[1] f_failure[2] bonds
+thermo_modify format float {scripts.ALL_DIGITS}
+{scripts.write_dump("start.dump", "x y z")}
+dump events all local 10 events.dump index f_failure[*]
+dump_modify events format float {scripts.ALL_DIGITS}
+"""
+
+
+def events(tmp_path):
+    """rows of broken bonds, the particles numbered by their place, sorted by pair"""
+    _, table = scripts.read_dump(tmp_path / "events.dump")[-1]
+    rows = scripts.vectors(table, *(f"f_failure[{k}]" for k in range(1, 11)))
+    number = np.argsort(order(tmp_path))
+    rows[:, 2:4] = np.sort(number[rows[:, 2:4].astype(int) - 1], axis=1)
+    return rows[np.lexsort((rows[:, 3], rows[:, 2]))]
+
+
+def pairs(rows):
+    return [(int(a), int(b)) for a, b in rows[:, 2:4]]
+
+
+def test_same_bonds_break_on_any_number_of_ranks(run_lammps, tmp_path):
+    """the bar breaks through within a few hundred steps, before rounding can grow to matter"""
+    script = pulled_bar() + "run 60\n"
+    run = run_lammps(script)
+    one = events(tmp_path)
+    assert len(one) >= 20
+    assert len(set(pairs(one))) == len(one)    # each once
+    assert run.thermo["f_failure"][-1] == len(one)
+    for nprocs in (2, 4):
+        other_run = run_lammps(script, nprocs=nprocs)
+        other = events(tmp_path)
+        assert pairs(other) == pairs(one)
+        assert np.array_equal(other[:, 0], one[:, 0])    # on the same step
+        assert np.abs(other[:, 1:] - one[:, 1:]).max() < RANKS_AGREE
+        for column in ("f_failure", "f_failure[1]", "f_failure[2]", "Bonds", "PotEng"):
+            assert other_run.thermo[column] == pytest.approx(run.thermo[column], rel=RANKS_AGREE, abs=RANKS_AGREE)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2, 4])
+def test_a_bond_across_the_boundary_breaks_once(run_lammps, tmp_path, nprocs):
+    """two particles on either side of a periodic boundary, which is a boundary between ranks too"""
+    script = scripts.box((10, 6, 6), "p p p") + scripts.particles([(4.6, 0, 0, 1.0), (-4.4, 0, 0, 1.0)])
+    script += scripts.elastic() + "potdem_bonds all 1 1.5\nfix failure all potdem/failure 1 tension 50.0\nfix 1 all nve\n"
+    script += "velocity all set 0 0 0\ngroup two id 2\nvelocity two set 4 0 0\ntimestep 0.0005\nthermo 10\n"
+    script += "thermo_style custom step f_failure bonds pe\nthermo_modify format float %.17g\n"
+    script += scripts.write_dump("start.dump", "x y z")
+    script += "dump events all local 10 events.dump index f_failure[*]\nrun 200\n"
+    run = run_lammps(script, nprocs=nprocs)
+    rows = events(tmp_path)
+    assert pairs(rows) == [(0, 1)]
+    assert run.thermo["f_failure"][-1] == 1 and run.thermo["Bonds"][-1] == 0
+    assert run.thermo["PotEng"][-1] == 0.0
+    assert abs(rows[0, 4]) == pytest.approx(5.0, abs=0.2)    # the middle of the bond, not of the box
