@@ -52,6 +52,7 @@ class Penetration {
   double integral(double x) const
   {
     const double dx = x - 1.0;
+    if (std::fabs(dx) < small) return small_integral(dx);
     return scale * (dx * dx * (x + 2.0) / 6.0 - std::log(x) / m + smooth(x));
   }
 
@@ -60,6 +61,8 @@ class Penetration {
   static constexpr int nodes = 4096;
   static constexpr int anchor = nodes / 4;    // the node at x = 1, where S = 0
   static constexpr double step = x_table / nodes;
+  // next to x = 1 the energy is of second order and the table's absolute error would show
+  static constexpr double small = 0.01;
 
   int m = 0;
   double scale = 1.0;
@@ -83,15 +86,26 @@ class Penetration {
   // + (m^2-1)/(12 m) x + O(x^2)
   double series_slope() const { return 1.0 / m - (m * m - 1.0) / (12.0 * m); }
 
+  // Gauss-Legendre, five points
+  template <class Function> static double gauss(double a, double b, Function f)
+  {
+    constexpr double at[] = {0.0, 0.5384693101056831, 0.9061798459386640};
+    constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    const double mid = 0.5 * (a + b), half = 0.5 * (b - a);
+    double sum = weight[0] * f(mid);
+    for (int k = 1; k < 3; k++) sum += weight[k] * (f(mid - half * at[k]) + f(mid + half * at[k]));
+    return half * sum;
+  }
+
   double quadrature(double a, double b) const
   {
-    static constexpr double at[] = {0.0, 0.5384693101056831, 0.9061798459386640};
-    static constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-    const double mid = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = weight[0] * smooth_slope(mid);
-    for (int k = 1; k < 3; k++)
-      sum += weight[k] * (smooth_slope(mid - half * at[k]) + smooth_slope(mid + half * at[k]));
-    return half * sum;
+    return gauss(a, b, [this](double x) { return smooth_slope(x); });
+  }
+
+  // in dx = x - 1, so that nothing cancels
+  double small_integral(double dx) const
+  {
+    return gauss(0.0, dx, [this](double u) { return value(1.0 + u) * u * (1.0 + 0.5 * u); });
   }
 
   double smooth(double x) const

@@ -93,8 +93,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
   }
   while (!input.done()) {
     if (input.next_is("penetration")) {
-      c.m = input.exponent("penetration m");
-      c.normalized = input.next_is("normalized");
+      input.penetration(c.m, c.normalized);
     } else if (input.next_is("damping")) {
       c.xi = input.nonnegative("damping xi");
     } else {
@@ -112,6 +111,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
 
 void BondPotdemTruss::init_style()
 {
+  potdem_refuse_respa(lmp, "bond_style potdem/truss");
   if (!atom->radius_flag)
     error->all(FLERR, "bond_style potdem/truss needs particle diameters, e.g. atom_style bpm/sphere");
   if (force->newton_bond)

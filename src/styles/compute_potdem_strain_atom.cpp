@@ -40,9 +40,9 @@ ComputePotdemStrainAtom::ComputePotdemStrainAtom(LAMMPS *lmp, int narg, char **a
   if (narg > 3) error->all(FLERR, "compute potdem/strain/atom: unknown keyword '{}', it takes none", arg[3]);
   peratom_flag = 1;
   size_peratom_cols = COLUMNS;
-  bond_store = PotdemBondStore::find(lmp);
-  if (!bond_store)
+  if (atom->nbonds == 0)
     error->all(FLERR, "compute potdem/strain/atom {} needs bonds: define it after potdem_bonds", id);
+  bond_store = PotdemBondStore::ensure(lmp);
   keep_reference();
 }
 
@@ -128,14 +128,16 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
   for (int m = 0; m < atom->num_bond[i]; m++) {
     const double re = bond_store->length(i, m);
     if (atom->bond_type[i][m] <= 0 || re <= 0.0) continue;
-    const int j = domain->closest_image(i, atom->map(atom->bond_atom[i][m]));
+    const int k = atom->map(atom->bond_atom[i][m]);
+    if (k < 0) continue;
+    const int j = domain->closest_image(i, k);
     double n[3], r2 = 0.0, n2 = 0.0;
-    for (int k = 0; k < 3; k++) {
-      n[k] = reference[j][k] - reference[i][k];
-      r2 += (atom->x[j][k] - atom->x[i][k]) * (atom->x[j][k] - atom->x[i][k]);
+    for (int c = 0; c < 3; c++) {
+      n[c] = reference[j][c] - reference[i][c];
+      r2 += (atom->x[j][c] - atom->x[i][c]) * (atom->x[j][c] - atom->x[i][c]);
     }
     PotdemCompat::minimum_image(domain, n);
-    for (int k = 0; k < 3; k++) n2 += n[k] * n[k];
+    for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
     const double row[6] = {n[0] * n[0] / n2, n[1] * n[1] / n2, n[2] * n[2] / n2,
                            M_SQRT2 * n[0] * n[1] / n2, M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
     const double eps = POTDEM::truss_strain(r2 / (re * re));
@@ -148,8 +150,7 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
   out[6] = nbonds;
   if (nbonds == 0) return;
 
-  MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]> jacobi(6);
-  jacobi.Diagonalize(matrix, values, vectors, MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>::SORT_DECREASING_EVALS);
+  MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(matrix, values, vectors);
   for (int k = 0; k < 6 && values[k] > SINGULAR * values[0]; k++) {
     double share = 0.0;
     for (int a = 0; a < 6; a++) share += vectors[k][a] * right[a];

@@ -61,6 +61,7 @@ int FixPotdemDamping::setmask()
 
 void FixPotdemDamping::init()
 {
+  potdem_refuse_respa(lmp, "fix potdem/damping");
   bool after = false;
   for (const auto &other : modify->get_fix_list()) {
     if (other == this) {

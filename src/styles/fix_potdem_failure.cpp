@@ -22,6 +22,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "force.h"
+#include "modify.h"
 #include "update.h"
 
 #include <cmath>
@@ -39,9 +40,7 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
 {
   PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "Failure is a row of doubles");
-  btype = static_cast<int>(input.positive("bond type"));
-  if (btype > atom->nbondtypes)
-    input.fail(fmt::format("bond type {} does not exist, there are {}", btype, atom->nbondtypes));
+  btype = input.bond_type();
   while (!input.done()) {
     if (input.next_is("tension"))
       tension = input.positive("tension strength");
@@ -78,6 +77,10 @@ void FixPotdemFailure::init()
 {
   bond = dynamic_cast<BondPotdemTruss *>(force->bond_match("potdem/truss"));
   if (!bond) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
+  for (const auto &other : modify->get_fix_by_style("^potdem/failure$"))
+    if (other != this && dynamic_cast<FixPotdemFailure *>(other)->btype == btype)
+      error->all(FLERR, "Fixes potdem/failure {} and {} are for the same bond type {}: one bond type has one strength, "
+                 "use another bond type or one fix", id, other->id, btype);
   bond_store = PotdemBondStore::find(lmp);
   bond->set_strength(btype, tension, compression);
 }
@@ -147,8 +150,8 @@ std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
 {
   std::vector<Failure> mine;
   for (std::size_t k = 0; k < pending.size(); k += 2) {
-    const int i = atom->map(pending[k]);
-    if (i >= 0 && i < atom->nlocal) mine.push_back(describe(i, pending[k + 1]));
+    const int i = atom->map(pending[k]), j = atom->map(pending[k + 1]);
+    if (j >= 0 && i >= 0 && i < atom->nlocal) mine.push_back(describe(i, pending[k + 1]));
   }
   record(mine);
   return gather(mine, world, comm->nprocs);

@@ -80,6 +80,7 @@ int FixPotdemWallRegion::setmask()
 
 void FixPotdemWallRegion::init()
 {
+  potdem_refuse_respa(lmp, "fix potdem/wall/region");
   region = domain->get_region_by_id(region_id);
   if (!region) error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
   if (!atom->radius_flag || !atom->rmass_flag)

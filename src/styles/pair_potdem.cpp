@@ -6,6 +6,7 @@
 #include "pair_potdem.h"
 
 #include "potdem_bond_store.h"
+#include "potdem_input.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -70,6 +71,7 @@ void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM:
 
 void PairPotdemBase::init_style()
 {
+  potdem_refuse_respa(lmp, fmt::format("pair_style {}", name()));
   if (!atom->radius_flag || !atom->rmass_flag)
     error->all(FLERR, "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere", name());
   bond_store = PotdemBondStore::find(lmp);

@@ -27,8 +27,7 @@ void PairPotdemTruss::coeff(int narg, char **arg)
   law.a = input.positive("a");
   while (!input.done()) {
     if (input.next_is("penetration")) {
-      law.m = input.exponent("penetration m");
-      law.normalized = input.next_is("normalized");
+      input.penetration(law.m, law.normalized);
     } else if (input.next_is("friction")) {
       slide = input.friction();
     } else {

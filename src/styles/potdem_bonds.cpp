@@ -20,6 +20,7 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "pair.h"
 #include "region.h"
 #include "special.h"
 
@@ -71,10 +72,7 @@ void PotdemBonds::read(int narg, char **arg)
   const std::string name = input.word();
   igroup = group->find(name);
   if (igroup < 0) input.fail(fmt::format("there is no group '{}'", name));
-  btype = static_cast<int>(input.positive("bond type"));
-  if (btype > atom->nbondtypes)
-    input.fail(fmt::format("bond type {} does not exist, there are {}; give create_box more with "
-                           "'bond/types N'", btype, atom->nbondtypes));
+  btype = input.bond_type();
   reach = input.positive("r_infl");
   while (!input.done()) {
     if (input.next_is("diameters"))
@@ -128,20 +126,31 @@ void PotdemBonds::take_over_settings()
   for (int k = 1; k < 4; k++) force->special_lj[k] = force->special_coul[k] = weights[k];
 }
 
+// stands in for the user's pair style, which may come later, and gives the neighbour list its cutoff
+Pair *PotdemBonds::stand_in(double cutoff)
+{
+  int suffix;
+  Pair *pair = force->new_pair("zero", 0, suffix);
+  std::string text = fmt::format("{:.17g}", cutoff), all = "*";
+  char *settings[] = {&text[0]}, *coeff[] = {&all[0], &all[0]};
+  pair->settings(1, settings);
+  pair->coeff(2, coeff);
+  pair->init();
+  return pair;
+}
+
 /* ----------------------------------------------------------------------
-   an occasional LAMMPS neighbour list of this cutoff; the pair and bond styles stay out of it, so
-   that they may be defined before or after this command
+   an occasional LAMMPS neighbour list of this cutoff; the user's pair and bond styles stay out of it,
+   so that they may be defined before or after this command
 ------------------------------------------------------------------------- */
 
 NeighList *PotdemBonds::neighbours(double cutoff)
 {
   auto pair = force->pair;
   auto bond = force->bond;
-  const double cutghost = comm->cutghostuser;
-  force->pair = nullptr;
+  force->pair = stand_in(cutoff);
   force->bond = nullptr;
-  comm->cutghostuser = MAX(cutghost, cutoff);
-  neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL)->set_cutoff(cutoff);
+  neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL);
 
   domain->init();
   atom->init();
@@ -159,7 +168,7 @@ NeighList *PotdemBonds::neighbours(double cutoff)
   auto list = neighbor->find_list(this);
   neighbor->build_one(list);
 
-  comm->cutghostuser = cutghost;
+  delete force->pair;
   force->pair = pair;
   force->bond = bond;
   return list;
@@ -272,7 +281,7 @@ void PotdemBonds::report(const std::vector<NewBond> &bonds)
   MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   atom->nbonds += all / 2;
   if (all == 0)
-    error->all(FLERR, "potdem_bonds: no two particles of group '{}' are within r_infl = {}{}",
+    error->all(FLERR, "potdem_bonds: no two particles of group '{}' that are not bonded already are within r_infl = {}{}",
                group->names[igroup], reach, in_diameters ? " diameters" : "");
   const double per_particle = static_cast<double>(all) / group->count(igroup);
   if (comm->me == 0)

@@ -38,6 +38,7 @@ class PotdemBonds : public Command {
   void read(int, char **);
   void check_atoms();
   void take_over_settings();
+  class Pair *stand_in(double cutoff);
   class NeighList *neighbours(double cutoff);
   std::vector<NewBond> find_pairs(class NeighList *);
   bool crosses_crack(const double *from, const double *to) const;

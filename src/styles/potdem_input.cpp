@@ -5,14 +5,23 @@
 
 #include "potdem_input.h"
 
+#include "atom.h"
 #include "error.h"
-#include "utils.h"
+#include "update.h"
 
 #include <cmath>
 
 using namespace LAMMPS_NS;
 
 static constexpr int MAX_EXPONENT = 64;
+
+void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
+{
+  if (utils::strmatch(lmp->update->integrate_style, "^respa"))
+    lmp->error->all(FLERR, "{} works with run_style verlet only, not with respa", command);
+}
+
+/* ---------------------------------------------------------------------- */
 
 PotdemInput::PotdemInput(LAMMPS *lmp, std::string _command, int _narg, char **_arg) :
     Pointers(lmp), command(std::move(_command)), narg(_narg), at(0), arg(_arg)
@@ -77,19 +86,24 @@ double PotdemInput::poisson(const std::string &name)
   return value;
 }
 
-int PotdemInput::exponent(const std::string &name)
+int PotdemInput::whole(const std::string &name, int most)
 {
   const double value = number(name);
-  if (value != std::floor(value) || value < 1 || value > MAX_EXPONENT)
-    range(name, value, fmt::format("a whole number from 1 to {}", MAX_EXPONENT));
+  if (value != std::floor(value) || value < 1 || value > most)
+    range(name, value, fmt::format("a whole number from 1 to {}", most));
   return static_cast<int>(value);
 }
 
-bool PotdemInput::logical(const std::string &name)
+int PotdemInput::bond_type()
 {
-  const std::string text = word();
-  if (text != "yes" && text != "no") fail(fmt::format("{} must be yes or no, not '{}'", name, text));
-  return text == "yes";
+  if (atom->nbondtypes == 0) fail("there are no bond types; give create_box some with 'bond/types N'");
+  return whole("bond type", atom->nbondtypes);
+}
+
+void PotdemInput::penetration(int &m, int &normalized)
+{
+  m = whole("penetration m", MAX_EXPONENT);
+  normalized = next_is("normalized");
 }
 
 POTDEM::Friction PotdemInput::friction()

@@ -16,6 +16,9 @@
 
 namespace LAMMPS_NS {
 
+// run_style respa would leave these styles out of its levels, or out altogether
+void potdem_refuse_respa(LAMMPS *lmp, const std::string &command);
+
 class PotdemInput : protected Pointers {
  public:
   // command: how the errors name the place, e.g. "fix potdem/damping"
@@ -27,10 +30,11 @@ class PotdemInput : protected Pointers {
   double positive(const std::string &name);
   double nonnegative(const std::string &name);
   double poisson(const std::string &name);     // -1 < nu <= 0.5
-  int exponent(const std::string &name);       // 1 to 64
-  bool logical(const std::string &name);
-  bool next_is(const std::string &word);       // consume the next argument if it is this word
+  int whole(const std::string &name, int most);    // 1 to most
+  int bond_type();
+  bool next_is(const std::string &word);    // consume the next argument if it is this word
   POTDEM::Friction friction();                 // the values after 'friction': mu eta|auto
+  void penetration(int &m, int &normalized);    // the values after 'penetration': m [normalized]
   [[noreturn]] void unknown(const std::string &choices);
   [[noreturn]] void fail(const std::string &text);
 
