@@ -3,9 +3,10 @@
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py position=i speed=3,5 damping=0,0.01,0.02,0.03,0.05
 
-Runs in.beam-impact for every combination (two at a time) and prints, for each, the number of broken bonds,
-the pieces of the beam that have at least 20 particles with the stretch of the undeformed beam they came from
-(in beam lengths, from the clamp), and the verdict: parts at the clamp, breaks where it is hit.
+Runs in.beam-impact for every combination (two at a time) and prints, for each, the number of broken bonds
+(all, within L/10 of the clamp, within a of the place that is hit), whether the beam has parted at the clamp, and
+the pieces of at least 20 particles with the stretch of the undeformed beam that they came from (in beam lengths
+from the clamp).
 """
 
 import itertools
@@ -23,43 +24,48 @@ sys.path.insert(0, str(HERE.parent / "harness"))
 import dumpfile  # noqa: E402
 import logfile  # noqa: E402
 
-LENGTH, SPACING = 0.24, 0.005
-PIECE = 20       # particles: less is debris
-CLAMP_END = 0.1  # a cut this near to the clamp (in beam lengths) is a failure of the clamped section
+LENGTH, WIDTH, SPACING = 0.24, 0.025, 0.005
+PIECE = 20         # particles: less is debris
+CLAMP_END = 0.1    # a cut this near to the clamp (in beam lengths) is a failure of the clamped section
 
 
 def run(case, folder):
-    variables = [word for name, value in case.items() for word in ("-var", name, *value.split())]
+    variables = [word for name, value in case.items() for word in ("-var", name, value)]
     subprocess.run([LMP, "-in", "in.beam-impact", *variables, "-var", "out", folder, "-log", f"{folder}/log",
                     "-screen", "none"], cwd=HERE, check=True)
-    return logfile.read_thermo(Path(folder) / "log"), dumpfile.read(Path(folder) / "dump.beam-impact")
+    return dumpfile.read(Path(folder) / "dump.beam-impact")
 
 
 def pieces(frames):
     """(start, end, particles) of each piece, in beam lengths of the undeformed beam"""
     first, last = frames[0], frames[-1]
-    beam = first["type"] == 1
+    started = dict(zip(first["id"], first["x"]))
+    beam = last["type"] == 1    # debris may have left the box
     found = []
     for fragment in np.unique(last["c_fragment"][beam]):
-        x = first["x"][beam & (last["c_fragment"] == fragment)]
+        x = np.array([started[atom] for atom in last["id"][beam & (last["c_fragment"] == fragment)]])
         if x.size >= PIECE:
             found.append(((x.min() - SPACING / 2) / LENGTH, (x.max() + SPACING / 2) / LENGTH, x.size))
     return sorted(found)
 
 
-def verdict(found):
-    stump_end = found[0][1]
-    clamp = "clamp parts" if stump_end < CLAMP_END else "clamp holds"
-    rest = [piece for piece in found[1:] if piece[0] > CLAMP_END] or stump_end < 0.95 <= found[-1][1]
-    return f"{clamp}, {'breaks where hit' if rest or found[-1][1] < 0.95 else 'whole where hit'}"
+def broken(folder, frames, hit):
+    """numbers of broken bonds: all, near the clamp, near the middle of the block"""
+    rows = dumpfile.read(Path(folder) / "dump.failed")[-1]
+    started = dict(zip(frames[0]["id"], frames[0]["x"]))
+    middles = np.array([(started[i] + started[j]) / 2 for i, j in zip(rows["f_fail[3]"], rows["f_fail[4]"])])
+    return middles.size, np.sum(middles < CLAMP_END * LENGTH), np.sum(np.abs(middles - hit) < WIDTH)
 
 
 def measure(case):
     with tempfile.TemporaryDirectory() as folder:
-        table, frames = run(case, folder)
+        frames = run(case, folder)
+        block = frames[0]["x"][frames[0]["type"] == 2].mean()
+        counts = broken(folder, frames, block)
     found = pieces(frames)
+    clamp = "parts" if found[0][1] < CLAMP_END else "holds"
     ranges = "  ".join(f"{start:.2f}-{end:.2f} ({count})" for start, end, count in found)
-    return f"{table['v_broken'][-1]:5.0f} broken  {verdict(found):32s} {ranges}"
+    return f"broken %4d, clamp %3d, hit %4d; clamp {clamp}; {ranges}" % counts
 
 
 def main(words):

@@ -8,8 +8,10 @@
 
    The bond loop notes which bonds are overstretched while it computes their force. At the end of the
    step the rank that owns the end with the lower ID reports them to all ranks, and before the forces of
-   the next step each rank removes them where it holds them: no two ranks can disagree by rounding. The
-   elastic energy that a bond has at that moment is its fracture energy. Set-up removes nothing. */
+   the next step each rank removes them where it holds them: no two ranks can disagree by rounding.
+   Velocity Verlet thus applies the bond's force for the first half of the step in between and not for
+   the second: its fracture energy is the mean of its elastic energies at both ends of that step, which
+   closes the energy balance to second order. Set-up removes nothing. */
 
 #include "fix_potdem_failure.h"
 
@@ -117,14 +119,13 @@ template <class Item> static std::vector<Item> gather(const std::vector<Item> &m
 
 void FixPotdemFailure::agree()
 {
-  std::vector<tagint> mine;
+  std::vector<Pending> mine;
   const tagint *tag = atom->tag;
   for (const auto &over : bond->overstretched()) {
     const int i = over.i, j = bond->partner(over.n);
     if (bond->type(over.n) != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
     if (j >= atom->nlocal && tag[j] < tag[i]) continue;
-    mine.push_back(MIN(tag[i], tag[j]));
-    mine.push_back(MAX(tag[i], tag[j]));
+    mine.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]), bond_energy(i, j)});
   }
   pending = gather(mine, world, comm->nprocs);
 }
@@ -149,9 +150,9 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
 std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
 {
   std::vector<Failure> mine;
-  for (std::size_t k = 0; k < pending.size(); k += 2) {
-    const int i = atom->map(pending[k]), j = atom->map(pending[k + 1]);
-    if (j >= 0 && i >= 0 && i < atom->nlocal) mine.push_back(describe(i, pending[k + 1]));
+  for (const auto &doomed : pending) {
+    const int i = atom->map(doomed.low);
+    if (atom->map(doomed.high) >= 0 && i >= 0 && i < atom->nlocal) mine.push_back(describe(i, doomed));
   }
   record(mine);
   return gather(mine, world, comm->nprocs);
@@ -167,24 +168,31 @@ void FixPotdemFailure::record(const std::vector<Failure> &failed)
   size_local_rows = static_cast<int>(rows.size());
 }
 
-FixPotdemFailure::Failure FixPotdemFailure::describe(int i, tagint partner) const
+FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doomed) const
 {
-  const int j = domain->closest_image(i, atom->map(partner));
+  const int j = domain->closest_image(i, atom->map(doomed.high));
   const double *xi = atom->x[i], *xj = atom->x[j];
   const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
   const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2], r = sqrt(r2);
-  const double re = bond_store->length(i, bond_store->slot(i, partner));
-  double unused;
+  const double re = bond_store->length(i, bond_store->slot(i, doomed.high));
   return {static_cast<double>(update->ntimestep),
           update->atime + (update->ntimestep - update->atimestep) * update->dt,
-          static_cast<double>(atom->tag[i]),
-          static_cast<double>(partner),
+          static_cast<double>(doomed.low),
+          static_cast<double>(doomed.high),
           0.5 * (xi[0] + xj[0]),
           0.5 * (xi[1] + xj[1]),
           0.5 * (xi[2] + xj[2]),
           POTDEM::truss_strain(r2 / (re * re)),
-          bond->single(btype, r2, i, j, unused),
+          0.5 * (doomed.energy + bond_energy(i, j)),
           r < atom->radius[i] + atom->radius[j] ? r : 0.0};
+}
+
+double FixPotdemFailure::bond_energy(int i, int j) const
+{
+  const double *xi = atom->x[i], *xj = atom->x[j];
+  const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
+  double force;
+  return bond->single(btype, del[0] * del[0] + del[1] * del[1] + del[2] * del[2], i, j, force);
 }
 
 /* ----------------------------------------------------------------------

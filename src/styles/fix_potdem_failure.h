@@ -40,11 +40,17 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   std::vector<Failure> events;    // decided by this rank, and its rows for the local output
   std::vector<double *> rows;
 
-  std::vector<tagint> pending;    // pairs of IDs, the same on all ranks
+  // a bond that is to fail, by the IDs of its ends (low < high), and its energy when that was found
+  struct Pending {
+    tagint low, high;
+    double energy;
+  };
+  std::vector<Pending> pending;    // the same on all ranks
 
   void agree();
   std::vector<Failure> describe_pending();
-  Failure describe(int i, tagint partner) const;
+  Failure describe(int i, const Pending &) const;
+  double bond_energy(int i, int j) const;
   void record(const std::vector<Failure> &);
   void remove(const Failure &);
 };

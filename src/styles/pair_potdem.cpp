@@ -74,7 +74,8 @@ void PairPotdemBase::init_style()
   potdem_refuse_respa(lmp, fmt::format("pair_style {}", name()));
   if (!atom->radius_flag || !atom->rmass_flag)
     error->all(FLERR, "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere", name());
-  bond_store = PotdemBondStore::find(lmp);
+  // after a restart the pair style is the first to ask for it
+  bond_store = force->bond_match("potdem/truss") ? PotdemBondStore::ensure(lmp) : nullptr;
   find_diameters();
   sliding = false;
   for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
