@@ -138,6 +138,10 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
     }
     PotdemCompat::minimum_image(domain, n);
     for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
+    if (fabs(n2 - re * re) > 2.0 * MOVED * re * re)
+      error->one(FLERR, "compute potdem/strain/atom {}: the reference state of the bond of atoms {} and {} is lost, "
+                 "because the periodic box has changed; strain across a periodic boundary needs a box of fixed size",
+                 id, atom->tag[i], atom->tag[j]);
     const double row[6] = {n[0] * n[0] / n2, n[1] * n[1] / n2, n[2] * n[2] / n2,
                            M_SQRT2 * n[0] * n[1] / n2, M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
     const double eps = POTDEM::truss_strain(r2 / (re * re));
