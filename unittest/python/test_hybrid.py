@@ -1,0 +1,79 @@
+"""pair_style hybrid and hybrid/overlay: the same forces as alone."""
+
+import numpy as np
+import pytest
+import scripts
+
+E, A = 500.0, 0.6
+CLUSTER = [(0, 0, 0, 1.0, 1), (0.9, 0.1, 0, 1.2, 2), (0.2, 0.95, 0.1, 1.0, 1), (0.5, 0.3, 0.6, 0.9, 2), (-0.9, 0.2, 0.1, 1.1, 1)]
+COEFFS = [("1 1", f"{E} {A}"), ("1 2", f"{2 * E} {A} penetration 2"), ("2 2", f"{E} {A} friction 0.3 1.5")]
+
+
+def scene(pair_style, prefix, more="", bonds=False):
+    """five particles of two types that overlap, some of them bonded"""
+    script = scripts.box(20, types=2) + scripts.particles(CLUSTER)
+    script += f"bond_style potdem/truss\nbond_coeff * {E} area factor {A}\n" if bonds else "bond_style none\n"
+    script += f"pair_style {pair_style}\n" + "".join(f"pair_coeff {types} {prefix}{values}\n" for types, values in COEFFS) + more
+    if bonds:
+        script += "group left id 1 3 5\npotdem_bonds left 1 1.05\n"
+    return script + scripts.velocities_by_formula(1.0) + """
+fix move all nve
+timestep 0.0005
+thermo_style custom step pe ke pxx pxy
+thermo_modify format float %.17g
+run 100
+""" + scripts.write_dump("end.dump", "x y z vx vy vz fx fy fz")
+
+
+def end(run_lammps, tmp_path, script, nprocs=1):
+    run = run_lammps(script, nprocs=nprocs)
+    _, table = scripts.read_dump(tmp_path / "end.dump")[0]
+    return scripts.vectors(table, "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"), run
+
+
+@pytest.mark.parametrize("bonds", [False, True])
+@pytest.mark.parametrize("style, more", [("hybrid potdem/truss", ""),
+                                         ("hybrid/overlay potdem/truss zero 2.0", "pair_coeff * * zero\n")])
+def test_same_as_alone(run_lammps, tmp_path, style, more, bonds):
+    """rounding of sums in another order: 1e-16, over 100 steps"""
+    alone, run = end(run_lammps, tmp_path, scene("potdem/truss", "", bonds=bonds))
+    together, other = end(run_lammps, tmp_path, scene(style, "potdem/truss ", more, bonds))
+    assert np.abs(alone[:, 6:]).max() > 1.0    # there are forces
+    assert np.abs(together - alone).max() < 1e-12 * np.abs(alone).max()
+    for column in ("PotEng", "Pxx", "Pxy"):
+        assert other.thermo[column] == pytest.approx(run.thermo[column], rel=1e-11)
+
+
+def test_a_pair_of_types_left_to_another_style(run_lammps, tmp_path):
+    """hybrid with `zero` for 2-2: what is missing is the force between particles 2 and 4"""
+    script = scene("hybrid potdem/truss zero 2.0", "potdem/truss ").replace("run 100", "run 0")
+    script = script.replace(f"pair_coeff 2 2 potdem/truss {COEFFS[2][1]}", "pair_coeff 2 2 zero")
+    assert "pair_coeff 2 2 zero" in script
+    without, _ = end(run_lammps, tmp_path, script)
+    full, _ = end(run_lammps, tmp_path, scene("potdem/truss", "").replace("run 100", "run 0"))
+    difference = full[:, 6:] - without[:, 6:]
+    x2, x4 = (np.array(CLUSTER[k][:3]) for k in (1, 3))
+    r = np.linalg.norm(x4 - x2)
+    mean = 0.5 * (CLUSTER[1][3] + CLUSTER[3][3])
+    assert r < mean
+    push = -scripts.truss_tension(r / mean, E * scripts.section(mean, A))
+    # friction acts across the line of centres; along it there is the truss alone
+    assert difference[3] @ (x4 - x2) / r == pytest.approx(push, rel=1e-10)
+    assert np.all(difference[[0, 2, 4]] == 0.0)
+
+
+def test_hybrid_in_parallel(run_lammps, tmp_path):
+    script = scene("hybrid/overlay potdem/truss zero 2.0", "potdem/truss ", "pair_coeff * * zero\n", bonds=True)
+    one, _ = end(run_lammps, tmp_path, script)
+    four, _ = end(run_lammps, tmp_path, script, nprocs=4)
+    assert np.abs(four - one).max() < 1e-11 * np.abs(one).max()
+
+
+def test_hybrid_restart(run_lammps, tmp_path):
+    """LAMMPS's hybrid styles want their pair_coeff again after a restart; the bonds and the rest come back"""
+    script = scene("hybrid/overlay potdem/truss zero 2.0", "potdem/truss ", "pair_coeff * * zero\n", bonds=True)
+    coeffs = "".join(line + "\n" for line in script.splitlines() if line.startswith("pair_coeff"))
+    whole, _ = end(run_lammps, tmp_path, script.replace("run 100", "run 50\nwrite_restart half.restart\nrun 50"))
+    again, _ = end(run_lammps, tmp_path, "read_restart half.restart\n" + coeffs + "fix move all nve\ntimestep 0.0005\nrun 50\n" +
+                   scripts.write_dump("end.dump", "x y z vx vy vz fx fy fz"))
+    assert np.abs(again - whole).max() < 1e-12 * np.abs(whole).max()
