@@ -61,6 +61,16 @@ def test_pairs_of_a_periodic_crystal(run_lammps, tmp_path, nprocs):
 
 
 @pytest.mark.parametrize("nprocs", [1, 4])
+def test_bonds_in_a_tilted_box(run_lammps, nprocs):
+    """a tilt by one spacing leaves the crystal as it is"""
+    script = scripts.box(6, "p p p") + scripts.crystal() + "change_box all triclinic\nchange_box all xy final 1.0 boundary p p p\n"
+    script += scripts.elastic() + "potdem_bonds all 1 1.75\nrun 0\n" + scripts.result("pe", "bonds")
+    energy, bonds = scripts.results(run_lammps(script, nprocs=nprocs).stdout)[0]
+    assert bonds == 216 * 26 / 2
+    assert energy == pytest.approx(0.0, abs=1e-20)
+
+
+@pytest.mark.parametrize("nprocs", [1, 4])
 def test_bonds_of_a_polydisperse_packing(run_lammps, tmp_path, nprocs):
     """r_infl in mean diameters of the pair"""
     rng = np.random.default_rng(7)
@@ -195,3 +205,38 @@ def test_energy_of_a_finite_strain(run_lammps):
     stretched = np.linalg.norm(bonds * [1 + strain, 1, 1], axis=1)
     per_site = 0.5 * sum(scripts.truss_energy(x, r, E * scripts.section(1.0, a)) for x, r in zip(stretched / length, length))
     assert energy == pytest.approx(125 * per_site, rel=1e-12)
+
+
+def test_overlapping_pair_across_a_crack_starts_from_no_force(run_lammps):
+    """a crack through a packing made with overlap cuts bonds; the contacts that take their place start at the
+    present distance, so that the crack does not spring open"""
+    script = scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0), (0, 0.8, 0, 1.0)])
+    script += scripts.elastic(1000.0, "factor 0.5") + "region crack block 0.35 0.45 INF INF -0.1 0.1\n"
+    script += "potdem_bonds all 1 1.0 crack crack\nthermo_style custom step evdwl ebond bonds\n"
+    for x in (0.8, 0.9, 0.7):
+        script += f"set atom 2 x {x}\nrun 0\n" + scripts.result("fx[2]", "evdwl", "bonds")
+    rows = scripts.results(run_lammps(script).stdout)
+    assert np.all(rows[:2, :2] == 0.0)
+    assert np.all(rows[:, 2] == 1)    # particles 1 and 3
+    force = -scripts.truss_tension(0.7 / 0.8, 1000.0 * scripts.section(1.0, 0.5))
+    assert rows[2, 0] == pytest.approx(force, rel=1e-12)
+
+
+def test_a_second_network_leaves_bonded_pairs_alone(run_lammps, tmp_path):
+    """potdem_bonds again with a longer reach adds the new shell only, with its own type"""
+    script = scripts.box(6, "p p p", bond_types=2) + scripts.crystal() + scripts.elastic()
+    script += "potdem_bonds all 1 1.1\nrun 1\npotdem_bonds all 2 1.42\n" + DUMP_BONDS + scripts.write_dump("x.dump", "x y z")
+    for nprocs in (1, 2):
+        run = run_lammps(script, nprocs=nprocs)
+        assert bond_count(run.stdout) == [(648, 6), (1296, 12)]
+        assert listed_bonds(tmp_path) == pairs_within(positions(tmp_path), 1.42, 6.0)
+
+
+def test_bonds_made_by_lammps_start_from_where_they_are(run_lammps):
+    """create_bonds instead of potdem_bonds: the distance at the first run is the reference length"""
+    script = scripts.box(20, newton="on off") + scripts.particles([(0, 0, 0, 1.0), (1.1, 0, 0, 1.4)])
+    script += scripts.elastic(1000.0, "factor 0.5") + "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\n"
+    script += "thermo_style custom step ebond\nrun 0\n" + scripts.result("ebond") + "set atom 2 x 1.21\nrun 0\n" + scripts.result("ebond")
+    rest, stretched = scripts.results(run_lammps(script).stdout)[:, 0]
+    assert rest == 0.0
+    assert stretched == pytest.approx(scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.2, 0.5)), rel=1e-12)

@@ -52,6 +52,15 @@ def test_same_trajectory_on_any_number_of_ranks(run_lammps, tmp_path, boundary, 
             assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale
 
 
+def test_tiled_domains_that_move(run_lammps, tmp_path):
+    """comm_style tiled and load balancing shift particles between ranks while they vibrate"""
+    script = body("on off", "p p p") + "potdem_bonds all 1 1.42\n"
+    one, _ = end_state(run_lammps, tmp_path, script + vibrate(), 1)
+    tiled = vibrate(more="comm_style tiled\nfix balance all balance 20 1.0 rcb\n")
+    state, _ = end_state(run_lammps, tmp_path, script + tiled, 4)
+    assert np.abs(state - one).max() < RANKS_AGREE
+
+
 @pytest.mark.parametrize("nprocs", [1, 4])
 @pytest.mark.parametrize("newton", ["on off", "off off"])
 def test_newton_makes_no_difference(run_lammps, tmp_path, newton, nprocs):
@@ -127,6 +136,50 @@ def test_same_bonds_break_on_any_number_of_ranks(run_lammps, tmp_path):
         assert np.abs(other[:, 1:] - one[:, 1:]).max() < RANKS_AGREE
         for column in ("f_failure", "f_failure[1]", "f_failure[2]", "Bonds", "PotEng"):
             assert other_run.thermo[column] == pytest.approx(run.thermo[column], rel=RANKS_AGREE, abs=RANKS_AGREE)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_a_run_in_pieces(run_lammps, tmp_path, nprocs):
+    """a bond that is due at the end of one run goes at the start of the next: ten runs break what one does"""
+    run = run_lammps(pulled_bar() + "run 60\n", nprocs=nprocs)
+    whole = events(tmp_path)
+    parts_run = run_lammps(pulled_bar() + 20 * "run 3\n", nprocs=nprocs)
+    parts = events(tmp_path)
+    assert pairs(parts) == pairs(whole)
+    assert np.abs(parts - whole).max() < RANKS_AGREE
+    assert parts_run.thermo["PotEng"][-1] == pytest.approx(run.thermo["PotEng"][-1], rel=RANKS_AGREE)
+
+
+@pytest.mark.parametrize("nprocs", [1, 4])
+def test_contact_distance_travels_with_the_pair(run_lammps, tmp_path, nprocs):
+    """a pair fails while it overlaps and then drifts through a periodic box and its ranks, held together by
+    nothing: no force between the distance of failure and the mean diameter, the same on any number of ranks"""
+    script = scripts.box((12, 6, 6), "p p p") + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0)]) + scripts.elastic()
+    script += """potdem_bonds all 1 0.9
+fix failure all potdem/failure 1 compression 60
+fix move all nve
+velocity all set 3.0 1.7 0.9
+group two id 2
+group one id 1
+velocity two set 0 1.7 0.9
+timestep 0.0005
+thermo 200
+thermo_style custom step etotal f_failure f_failure[1] evdwl
+thermo_modify format float %.17g
+run 400
+velocity all set 3.0 1.7 0.9
+run 10000
+"""
+    # at the same speed they stay where they parted; at the end they are pushed together again
+    script += scripts.result("f_failure") + "set atom 1 x 0 y 0 z 0\nset atom 2 x 0.79 y 0 z 0\nrun 0\n"
+    script += scripts.result("f_failure", "fx[2]", "evdwl") + "set atom 2 x 0.5\nrun 0\n" + scripts.result("fx[2]", "evdwl", "f_failure")
+    kinds = scripts.results_by_length(run_lammps(script, nprocs=nprocs).stdout)
+    assert kinds[1][0][0] == 1
+    between, inside = kinds[3]
+    assert tuple(between) == (1, 0, 0)
+    reference = 0.8 * np.sqrt(1 - 2 * 60 / 1000)    # the distance of the strength; passed by one step's way, 1.5e-3
+    modulus = 1000.0 * scripts.section(1.0, 0.5)
+    assert inside[0] == pytest.approx(-scripts.truss_tension(0.5 / reference, modulus), rel=0.01)
 
 
 @pytest.mark.parametrize("nprocs", [1, 2, 4])

@@ -316,6 +316,28 @@ def test_wall_inside_a_sphere(run_lammps):
     assert torque == pytest.approx(np.cross([0.3, -0.2, 0.0], reaction), **EXACT)
 
 
+def test_wall_in_a_corner(run_lammps):
+    """a block region has a wall on each side: the forces of three faces at once"""
+    sides = (0.45, 0.48, 0.5)
+    x, y, z = 0.3 - sides[0], -0.2 - sides[1], 0.45 - sides[2]
+    force, reaction, torque = wall_run(run_lammps, 0.45, region=f"block {x} 9 {y} 9 {z} 9")
+    expected = np.array([wall_force(side) for side in sides])
+    assert force == pytest.approx(expected, rel=1e-12)
+    feet = np.array([(x, -0.2, 0.45), (0.3, y, 0.45), (0.3, -0.2, z)])
+    assert torque == pytest.approx(np.cross(feet, -np.diag(expected)).sum(axis=0), rel=1e-11)
+
+
+def test_wall_of_a_rotating_drum(run_lammps):
+    """the surface under the particle moves with omega x foot"""
+    omega, eta = 0.5, 0.01
+    script = on_wall(0.45, options=f"friction 0.35 {eta}", region="cylinder y 0.3 3.0 3.0 INF INF rotate v_shift 0.3 0 3.0 0 1 0",
+                     step=1e-3, shift=f"{omega}*time", lines="run 2\n" + WALL_RESULT)
+    row = scripts.results(run_lammps(script).stdout)[0]
+    velocity = np.cross([0, omega, 0], [0, 0, -3.0])
+    # the velocity is a difference over a step: 1e-3 of a turn by 0.5, and its rounding 1e-13
+    assert row[:3] == pytest.approx(eta * velocity + [0, 0, wall_force(0.45)], rel=1e-6, abs=1e-6)
+
+
 def test_wall_reaction_adds_up_over_particles_and_ranks(run_lammps):
     places = [(x, y, 0.4 + 0.01 * (x + y), 1.0) for x in (-6.0, 0.5, 6.0) for y in (-3.0, 4.0)]
     script = on_wall(0.45, options="friction 0.3 2.0")
