@@ -42,8 +42,8 @@ def pieces(frames):
     started = dict(zip(first["id"], first["x"]))
     beam = last["type"] == 1    # debris may have left the box
     found = []
-    for fragment in np.unique(last["c_fragment"][beam]):
-        x = np.array([started[atom] for atom in last["id"][beam & (last["c_fragment"] == fragment)]])
+    for piece in np.unique(last["c_piece"][beam]):
+        x = np.array([started[atom] for atom in last["id"][beam & (last["c_piece"] == piece)]])
         if x.size >= PIECE:
             found.append(((x.min() - SPACING / 2) / LENGTH, (x.max() + SPACING / 2) / LENGTH, x.size))
     return sorted(found)

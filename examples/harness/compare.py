@@ -104,7 +104,8 @@ def _check(column, rule, new, reference, break_step):
     if not values.size:
         return Check(column, what, False, remark="no rows to compare")
     scale = np.abs(expected) if rule.get("scale") == "value" else np.abs(expected).max()
-    tolerance = np.broadcast_to(rule.get("abs", 0.0) + rule.get("rel", 0.0) * scale, values.shape)
+    absolute, relative = (float(rule.get(name, 0.0)) for name in ("abs", "rel"))    # YAML takes 1e-6 for a text
+    tolerance = np.broadcast_to(absolute + relative * scale, values.shape)
     deviation = np.abs(values - expected)
     worst = np.argmax(deviation - tolerance)
     return Check(column, what, bool(deviation[worst] <= tolerance[worst]), deviation[worst],

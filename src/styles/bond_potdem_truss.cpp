@@ -403,6 +403,7 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
       const int j = partner[n];
       const double dx = x[j][0] - xi, dy = x[j][1] - yi, dz = x[j][2] - zi;
       const double r2 = dx * dx + dy * dy + dz * dz;
+      if (!(r2 > 0.0)) collapsed(i, j, r2);    // true for NaN as well
       const double q = r2 * inverse_length2[n];
       if (FAIL && (q >= tension2[type[n]] || q <= compression2[type[n]])) over.push_back({i, n});
 
@@ -429,6 +430,14 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
     f[i][1] += fy;
     f[i][2] += fz;
   }
+}
+
+void BondPotdemTruss::collapsed(int i, int j, double r2) const
+{
+  error->one(FLERR,
+             "Bond between atoms {} and {} has length {} on step {}: its ends are at the same place or their positions "
+             "are not finite; use a smaller timestep, or keep the ends apart with 'penetration' in bond_coeff",
+             atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
 }
 
 void BondPotdemTruss::tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz)

@@ -93,6 +93,7 @@ class BondPotdemTruss : public Bond {
   void choose_kernels();
   template <bool HINDER, bool DAMP> void choose();
   template <bool EV, bool FAIL, bool HINDER, bool DAMP> void kernel();
+  [[noreturn]] void collapsed(int i, int j, double r2) const;
   void tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz);
 };
 

@@ -127,6 +127,14 @@ double PairPotdemBase::contact_distance(int i, int j, double dbar) const
   return bond_store->contact_distance(i, atom->tag[j], dbar);
 }
 
+void PairPotdemBase::collapsed(int i, int j, double r2) const
+{
+  error->one(FLERR,
+             "pair_style {}: atoms {} and {} are {} apart on step {}: they are at the same place or their positions are "
+             "not finite; use a smaller timestep, or keep them apart with 'penetration' in pair_coeff",
+             name(), atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
+}
+
 /* ---------------------------------------------------------------------- */
 
 double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq, double /*factor_coul*/,

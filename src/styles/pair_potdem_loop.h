@@ -78,6 +78,7 @@ template <class Law> template <bool SLIDE, bool EV> void PairPotdem<Law>::loop()
       const double dbar = radius[i] + radius[j], reach = laws[pair].reach(dbar);
       if (r2 >= reach * reach || weight == 0.0) continue;
 
+      if (!(r2 > 0.0)) collapsed(i, j, r2);    // true for NaN as well
       const double r = sqrt(r2);
       const auto law = kernels[pair].evaluate(r, dbar, contact_distance(i, j, dbar));
       const double push = weight * law.force / r;

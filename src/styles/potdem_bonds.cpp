@@ -44,6 +44,7 @@ PotdemBonds::PotdemBonds(LAMMPS *lmp) :
 void PotdemBonds::command(int narg, char **arg)
 {
   if (!domain->box_exist) error->all(FLERR, "potdem_bonds needs a simulation box: use create_box first");
+  check_style();
   read(narg, arg);
   check_atoms();
   take_over_settings();
@@ -94,12 +95,16 @@ void PotdemBonds::read(int narg, char **arg)
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBonds::check_atoms()
+void PotdemBonds::check_style()
 {
   if (!atom->tag_enable || atom->molecular != Atom::MOLECULAR)
     error->all(FLERR, "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style bpm/sphere");
   if (!atom->radius_flag)
     error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style bpm/sphere");
+}
+
+void PotdemBonds::check_atoms()
+{
   if (group->count(igroup) == 0) error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & group->bitmask[igroup]) && !(atom->radius[i] > 0.0))
@@ -146,10 +151,13 @@ Pair *PotdemBonds::stand_in(double cutoff)
 
 NeighList *PotdemBonds::neighbours(double cutoff)
 {
+  char none[] = "none";
   auto pair = force->pair;
   auto bond = force->bond;
+  auto pair_style = force->pair_style, bond_style = force->bond_style;
   force->pair = stand_in(cutoff);
   force->bond = nullptr;
+  force->pair_style = force->bond_style = none;
   neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL);
 
   domain->init();
@@ -171,6 +179,8 @@ NeighList *PotdemBonds::neighbours(double cutoff)
   delete force->pair;
   force->pair = pair;
   force->bond = bond;
+  force->pair_style = pair_style;
+  force->bond_style = bond_style;
   return list;
 }
 

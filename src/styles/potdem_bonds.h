@@ -36,6 +36,7 @@ class PotdemBonds : public Command {
   class Region *region;
 
   void read(int, char **);
+  void check_style();
   void check_atoms();
   void take_over_settings();
   class Pair *stand_in(double cutoff);

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""plot.py FOLDER [FOLDER ...] PICTURE.png: the beam and the block at the thesis's three instants, coloured by the
+strain along the beam; a column for each folder of a run (build/examples/beam-impact/<variant>.np<ranks>)."""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import Normalize, to_rgba
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "harness"))
+import dumpfile  # noqa: E402
+import logfile  # noqa: E402
+import picture  # noqa: E402
+
+INSTANTS = (0.016, 0.2, 0.4)    # s, Figs 6.3 and 6.4
+STRAIN_LIMIT = 0.06             # the bonds break at 0.067 (f_t / E)
+BLOCK = to_rgba("#8a8f98")
+COLOURS = matplotlib.colormaps["coolwarm"]
+FLOOR = [(-0.05, -0.06, 0.0), (0.30, -0.06, 0.0), (0.30, 0.085, 0.0), (-0.05, 0.085, 0.0)]
+
+
+def colours(frame, scale):
+    shades = COLOURS(scale(frame["c_strain[1]"]))
+    shades[frame["c_strain[7]"] == 0] = to_rgba("#c9b458")    # debris has no strain
+    shades[frame["type"] == 2] = BLOCK
+    return shades
+
+
+def read(folder):
+    """frames of the dump and their times"""
+    table = logfile.read_thermo(next(Path(folder).glob("log*")))
+    step = (table["Time"][1] - table["Time"][0]) / (table["Step"][1] - table["Step"][0])
+    frames = dumpfile.read(Path(folder) / "dump.beam-impact")
+    return frames, np.array([frame["timestep"] * step for frame in frames])
+
+
+def draw(axis, frame, scale):
+    picture.floor(axis, FLOOR)
+    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
+    picture.spheres(axis, points, frame["radius"], colours(frame, scale))
+    axis.set_xlim(-0.065, 0.315)
+    axis.set_ylim(-0.035, 0.135)
+
+
+def main(*arguments):
+    *folders, path = arguments
+    scale = Normalize(-STRAIN_LIMIT, STRAIN_LIMIT)
+    figure, axes = picture.panels(len(INSTANTS), len(folders))
+    for column, folder in zip(axes.T, folders):
+        frames, times = read(folder)
+        variant = Path(folder).resolve().name.split(".")[0]
+        for axis, instant in zip(column, INSTANTS):
+            draw(axis, frames[int(np.argmin(np.abs(times - instant)))], scale)
+            axis.text(0.0, 0.98, f"{variant}, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
+    bar = figure.colorbar(matplotlib.cm.ScalarMappable(scale, COLOURS), ax=list(axes.ravel()), shrink=0.4,
+                          pad=0.02, orientation="horizontal")
+    bar.set_label("strain along the beam (bonds break at 0.067); yellow: loose particles, grey: block")
+    figure.savefig(path, dpi=110)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

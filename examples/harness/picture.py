@@ -1,0 +1,56 @@
+"""Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.collections import EllipseCollection  # noqa: E402
+
+# shells of one sphere, from its rim to its highlight: size, offset towards the light, share of white
+SHELLS = [(1.00, 0.00, -0.35), (0.93, 0.03, -0.12), (0.80, 0.10, 0.0), (0.60, 0.19, 0.12), (0.38, 0.27, 0.26),
+          (0.18, 0.34, 0.45)]
+LIGHT = np.array([-0.5, 0.75])
+
+
+def view(points, turn, tilt):
+    """(across, up, depth) of points seen from the front (-y), turned about z and tilted down, in degrees"""
+    a, b = np.radians(turn), np.radians(tilt)
+    x, y, z = points.T
+    across, away = x * np.cos(a) - y * np.sin(a), x * np.sin(a) + y * np.cos(a)
+    return np.column_stack([across, z * np.cos(b) + away * np.sin(b), away * np.cos(b) - z * np.sin(b)])
+
+
+def _shade(colours, white):
+    target = 1.0 if white > 0 else 0.0
+    shaded = colours.copy()
+    shaded[:, :3] += (target - colours[:, :3]) * abs(white)
+    return shaded
+
+
+def spheres(axes, points, radii, colours, turn=-24.0, tilt=16.0):
+    """one collection for all: the shells of a sphere follow each other, the far spheres come first"""
+    seen = view(points, turn, tilt)
+    order = np.argsort(-seen[:, 2])
+    seen, radii, colours = seen[order], radii[order], colours[order]
+    sizes = np.stack([2.0 * radii * size for size, _, _ in SHELLS], axis=1).ravel()
+    centres = np.stack([seen[:, :2] + radii[:, None] * shift * LIGHT for _, shift, _ in SHELLS], axis=1).reshape(-1, 2)
+    faces = np.stack([_shade(colours, white) for _, _, white in SHELLS], axis=1).reshape(-1, 4)
+    axes.add_collection(EllipseCollection(sizes, sizes, np.zeros(sizes.size), units="xy", offsets=centres,
+                                          transOffset=axes.transData, facecolors=faces, edgecolors="none"))
+
+
+def floor(axes, corners, turn=-24.0, tilt=16.0):
+    seen = view(np.asarray(corners, dtype=float), turn, tilt)
+    axes.fill(seen[:, 0], seen[:, 1], color="#e7e3dc", zorder=-2, linewidth=0)
+
+
+def panels(rows, columns, width=7.0, height=3.2):
+    """figure and its array of panels, without axes: lengths are to scale"""
+    figure, axes = plt.subplots(rows, columns, figsize=(width * columns, height * rows + 0.9), squeeze=False,
+                                constrained_layout=True)
+    for panel in axes.ravel():
+        panel.set_aspect("equal")
+        panel.axis("off")
+    return figure, axes
