@@ -1,5 +1,5 @@
-"""Cost of a bond and share of the pair part in an intact solid, beside LAMMPS's own bond_style bpm/spring on the
-same network, run in turn on one core. Prints a table; asserts nothing: times belong to the machine."""
+"""Cost of a bond, of its options and of a contact in nanoseconds a step, beside LAMMPS's own bond_style bpm/spring on
+the same network; all run in turn on one core, several times. Asserts nothing: times belong to the machine."""
 
 import argparse
 import re
@@ -10,20 +10,49 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 LMP = HERE.parent / "build" / "lmp"
 
+# name, style and option of in.bond-cost, the parts of the loop that count, per what
+CASES = [
+    ("bond, potdem/truss", "potdem", "plain", ("Bond",), "bond"),
+    ("bond, LAMMPS's bpm/spring", "bpm", "plain", ("Bond",), "bond"),
+    ("  with penetration 6", "potdem", "penetration", ("Bond",), "bond"),
+    ("  with damping", "potdem", "damping", ("Bond",), "bond"),
+    ("  with fix potdem/failure", "potdem", "failure", ("Bond",), "bond"),
+    ("contact, potdem/truss", "contact", "plain", ("Pair",), "contact"),
+    ("  with friction", "contact", "friction", ("Pair",), "contact"),
+    ("strain, when evaluated", "potdem", "strain", ("Modify",), "particle"),
+]
 
-def run(style, n, steps):
-    """seconds of the loop's parts and the number of bonds"""
-    command = [LMP, "-in", HERE / "in.bond-cost", "-log", "none", "-var", "style", style, "-var", "n", str(n),
-               "-var", "steps", str(steps)]
+
+def run(style, option, n, steps):
+    """seconds of the loop's parts and the number of bonds or contacts"""
+    variables = {"style": style, "option": option, "n": n, "steps": steps}
+    command = [LMP, "-in", HERE / "in.bond-cost", "-log", "none"]
+    command += [str(word) for name, value in variables.items() for word in ("-var", name, value)]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
     parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
-    last_row = text[: text.index("Loop time")].splitlines()[-1].split()
-    return parts, int(last_row[3])
+    return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[3])
 
 
 def median(values):
     return sorted(values)[len(values) // 2]
+
+
+def spread(values, digits=2):
+    return f"{median(values):8.{digits}f} ({min(values):.{digits}f} to {max(values):.{digits}f})"
+
+
+def measure(arguments):
+    """name of the case -> its costs in ns, and the share of the pair part, one of each per repeat"""
+    costs, shares = {}, {}
+    for repeat in range(arguments.repeats):
+        for name, style, option, counted, per in CASES:
+            parts, links = run(style, option, arguments.size, arguments.steps)
+            count = arguments.size**3 if per == "particle" else links
+            costs.setdefault(name, []).append(1e9 * sum(parts[part] for part in counted) / count / arguments.steps)
+            shares.setdefault(name, []).append(100 * parts["Pair"] / parts["Loop"])
+        print(f"round {repeat + 1} of {arguments.repeats} done", file=sys.stderr, flush=True)
+    return costs, shares
 
 
 def main(argv):
@@ -32,20 +61,15 @@ def main(argv):
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--repeats", type=int, default=5)
     arguments = parser.parse_args(argv)
-    results = {"potdem": [], "bpm": []}
-    for repeat in range(arguments.repeats):
-        for style, found in results.items():
-            parts, bonds = run(style, arguments.size, arguments.steps)
-            found.append((1e9 * parts["Bond"] / bonds / arguments.steps, parts["Pair"] / parts["Loop"]))
-            print(f"  run {repeat + 1}: {style:7s} {found[-1][0]:6.2f} ns per bond and step", flush=True)
-    print(f"\n{arguments.size**3} particles, {bonds} bonds, {arguments.steps} steps, one core, "
-          f"median (least to most) of {arguments.repeats}")
-    print(f"{'':24s}{'ns per bond and step':>28s}{'pair part of the loop':>24s}")
-    for style, name in (("potdem", "bond_style potdem/truss"), ("bpm", "bond_style bpm/spring")):
-        costs, shares = zip(*results[style])
-        print(f"{name:24s}{median(costs):12.2f} ({min(costs):.2f} to {max(costs):.2f}){100 * median(shares):20.1f} %")
-    ratios = [ours[0] / theirs[0] for ours, theirs in zip(results["potdem"], results["bpm"])]
-    print(f"a bond of potdem/truss costs {median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f}) of one of bpm/spring")
+    costs, shares = measure(arguments)
+    print(f"{arguments.size**3} particles, {arguments.steps} steps, one core; median (least to most) of {arguments.repeats}\n")
+    print(f"{'':30s}{'ns each and step':>28s}")
+    for name, _, _, _, per in CASES:
+        print(f"{name:30s}{spread(costs[name]):>28s} per {per}")
+    ours, theirs = CASES[0][0], CASES[1][0]
+    ratios = [a / b for a, b in zip(costs[ours], costs[theirs])]
+    print(f"\na bond of potdem/truss costs{spread(ratios)} times one of bpm/spring")
+    print(f"pair part of the loop in the intact solid:{spread(shares[ours], 1)} %")
 
 
 if __name__ == "__main__":
