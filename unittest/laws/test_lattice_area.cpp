@@ -95,6 +95,14 @@ TEST(LatticeArea, GivesTheModulusUnderUniaxialTension)
   }
 }
 
+// the reach is measured on bonds, so it carries their rounding
+TEST(LatticeArea, TheShellAtTheReachBelongs)
+{
+  EXPECT_EQ(lattice_area(Lattice::CUBIC, std::sqrt(2.0) * (1.0 - 1e-9)).bonds, 18);
+  EXPECT_EQ(lattice_area(Lattice::FCC, std::sqrt(2.0) * (1.0 - 1e-9)).bonds, 18);
+  EXPECT_EQ(lattice_area(Lattice::BCC, 2.0 / std::sqrt(3.0) * (1.0 - 1e-9)).bonds, 14);
+}
+
 // a cubic lattice with its nearest neighbours only has stiffness along the axes, and no Poisson's ratio
 TEST(LatticeArea, NearestNeighboursOfACubicLattice)
 {
