@@ -49,7 +49,9 @@ inline bool is_site(Lattice lattice, int i, int j, int k)
 // half cube edge in units of the nearest distance
 inline double half_edge(Lattice lattice)
 {
-  return lattice == Lattice::CUBIC ? 0.5 : lattice == Lattice::BCC ? 1.0 / std::sqrt(3.0) : 1.0 / std::sqrt(2.0);
+  return lattice == Lattice::CUBIC ? 0.5
+      : lattice == Lattice::BCC    ? 1.0 / std::sqrt(3.0)
+                                   : 1.0 / std::sqrt(2.0);
 }
 
 // can a bond of this length (over the nearest distance) occur? Its square counts half edges.
@@ -79,7 +81,8 @@ inline LatticeAnswer lattice_area(Lattice lattice, double reach)
     for (int j = -n; j <= n; j++)
       for (int k = -n; k <= n; k++) {
         const double r = half * std::sqrt(static_cast<double>(i * i + j * j + k * k));
-        if ((i == 0 && j == 0 && k == 0) || r > reach * (1.0 + 1e-6) || !is_site(lattice, i, j, k)) continue;
+        if ((i == 0 && j == 0 && k == 0) || r > reach * (1.0 + 1e-6) || !is_site(lattice, i, j, k))
+          continue;
         const double x = half * i / r, y = half * j / r;
         c11 += r * x * x * x * x / (2.0 * volume);
         c12 += r * x * x * y * y / (2.0 * volume);

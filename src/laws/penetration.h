@@ -36,7 +36,8 @@ class Penetration {
       sum += quadrature(k * step, (k + 1) * step);
     }
     table[nodes] = sum;
-    for (int k = anchor - 1; k >= 0; k--) table[k] = table[k + 1] - quadrature(k * step, (k + 1) * step);
+    for (int k = anchor - 1; k >= 0; k--)
+      table[k] = table[k + 1] - quadrature(k * step, (k + 1) * step);
   }
 
   double value(double x) const { return scale * (1.0 + 2.0 / (power(1.0 + x) - 1.0)); }
@@ -99,13 +100,17 @@ class Penetration {
 
   double quadrature(double a, double b) const
   {
-    return gauss(a, b, [this](double x) { return smooth_slope(x); });
+    return gauss(a, b, [this](double x) {
+      return smooth_slope(x);
+    });
   }
 
   // in dx = x - 1, so that nothing cancels
   double small_integral(double dx) const
   {
-    return gauss(0.0, dx, [this](double u) { return value(1.0 + u) * u * (1.0 + 0.5 * u); });
+    return gauss(0.0, dx, [this](double u) {
+      return value(1.0 + u) * u * (1.0 + 0.5 * u);
+    });
   }
 
   double smooth(double x) const

@@ -58,7 +58,8 @@ inline Evaluation truss(double r, double re, double modulus)
 {
   const double x = r / re;
   const double dx = x - 1.0;
-  return {modulus * re * dx * dx * (x + 2.0) / 6.0, -modulus * truss_strain(x * x), modulus * x / re};
+  return {modulus * re * dx * dx * (x + 2.0) / 6.0, -modulus * truss_strain(x * x),
+          modulus * x / re};
 }
 
 // the same with the non-penetration factor

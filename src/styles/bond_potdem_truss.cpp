@@ -39,8 +39,8 @@ static double distance2(const double *a, const double *b)
 /* ---------------------------------------------------------------------- */
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
-    Bond(lmp), breakable(false), hindered(false), damped(false), bond_store(nullptr), generation(-1),
-    longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
+    Bond(lmp), breakable(false), hindered(false), damped(false), bond_store(nullptr),
+    generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -53,7 +53,8 @@ BondPotdemTruss::~BondPotdemTruss()
 
 void BondPotdemTruss::settings(int narg, char **arg)
 {
-  if (narg > 0) error->all(FLERR, "bond_style potdem/truss: unknown keyword '{}', it takes none", arg[0]);
+  if (narg > 0)
+    error->all(FLERR, "bond_style potdem/truss: unknown keyword '{}', it takes none", arg[0]);
 }
 
 void BondPotdemTruss::allocate()
@@ -113,10 +114,13 @@ void BondPotdemTruss::init_style()
 {
   potdem_refuse_respa(lmp, "bond_style potdem/truss");
   if (!atom->radius_flag)
-    error->all(FLERR, "bond_style potdem/truss needs particle diameters, e.g. atom_style bpm/sphere");
+    error->all(FLERR,
+               "bond_style potdem/truss needs particle diameters, e.g. atom_style bpm/sphere");
   if (force->newton_bond)
-    error->all(FLERR, "bond_style potdem/truss needs newton off for bonds: make the bonds with potdem_bonds, "
-               "or put 'newton on off' before the box is created");
+    error->all(
+        FLERR,
+        "bond_style potdem/truss needs newton off for bonds: make the bonds with potdem_bonds, "
+        "or put 'newton on off' before the box is created");
   bond_store = PotdemBondStore::ensure(lmp);
   bond_store->turn_off_failed();
   generation = -1;
@@ -147,9 +151,11 @@ void BondPotdemTruss::set_communication()
   const double need = longest + neighbor->skin;
   const bool users = comm->cutghostuser > 0.0 && comm->cutghostuser != cutghost_own;
   if (users && comm->cutghostuser < need)
-    error->all(FLERR, "bond_style potdem/truss: the longest bond ({}) and the neighbour skin ({}) are beyond the "
-               "communication cutoff {}; increase it with comm_modify cutoff, or leave it out",
-               longest, neighbor->skin, comm->cutghostuser);
+    error->all(
+        FLERR,
+        "bond_style potdem/truss: the longest bond ({}) and the neighbour skin ({}) are beyond the "
+        "communication cutoff {}; increase it with comm_modify cutoff, or leave it out",
+        longest, neighbor->skin, comm->cutghostuser);
   if (!users) comm->cutghostuser = cutghost_own = STRETCH_ALLOWANCE * longest + neighbor->skin;
 }
 
@@ -193,7 +199,8 @@ void BondPotdemTruss::pack()
   generation = bond_store->generation;
   bond_store->measure_new_bonds();
   for (int type = 1; type <= atom->nbondtypes; type++)
-    if (setflag[type] && coeffs[type].mode == LATTICE && coeffs[type].area == 0.0) find_lattice(type);
+    if (setflag[type] && coeffs[type].mode == LATTICE && coeffs[type].area == 0.0)
+      find_lattice(type);
   order_bonds();
 
   const std::size_t n = bonds.partner.size();
@@ -254,11 +261,13 @@ void BondPotdemTruss::check_reach(int i, int j, double re) const
   const double r = sqrt(distance2(atom->x[i], atom->x[j]));
   const double cutoff = MAX(comm->cutghostuser, neighbor->cutneighmax);
   if (r + neighbor->skin > cutoff)
-    error->one(FLERR,
-               "Bond between atoms {} and {} is {} long (reference {}): with the neighbour skin {} it is "
-               "beyond the communication cutoff {}; increase it with comm_modify cutoff, or let bonds fail "
-               "with fix potdem/failure",
-               atom->tag[i], atom->tag[j], r, re, neighbor->skin, cutoff);
+    error->one(
+        FLERR,
+        "Bond between atoms {} and {} is {} long (reference {}): with the neighbour skin {} it is "
+        "beyond the communication cutoff {}; increase it with comm_modify cutoff, or let bonds "
+        "fail "
+        "with fix potdem/failure",
+        atom->tag[i], atom->tag[j], r, re, neighbor->skin, cutoff);
 }
 
 double BondPotdemTruss::section(int type, int i, int slot) const
@@ -293,14 +302,19 @@ void BondPotdemTruss::find_lattice(int type)
   MPI_Bcast(found, 3, MPI_DOUBLE, most.rank, world);
   if (found[0] <= 0.0)
     error->all(FLERR,
-               "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc or fcc lattice with "
-               "enough bonds to be stiff; the particle with most bonds has {} and {} nearest neighbours: use "
-               "area factor", type, most.count, static_cast<int>(found[1]));
+               "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc or fcc "
+               "lattice with "
+               "enough bonds to be stiff; the particle with most bonds has {} and {} nearest "
+               "neighbours: use "
+               "area factor",
+               type, most.count, static_cast<int>(found[1]));
   coeffs[type].area = found[0];
   if (comm->me == 0)
-    utils::logmesg(lmp, "bond_style potdem/truss: bond type {}: lattice with {} nearest neighbours and {} bonds "
-                   "per particle, section {:.8g}\n", type, static_cast<int>(found[1]),
-                   static_cast<int>(found[2]), found[0]);
+    utils::logmesg(
+        lmp,
+        "bond_style potdem/truss: bond type {}: lattice with {} nearest neighbours and {} bonds "
+        "per particle, section {:.8g}\n",
+        type, static_cast<int>(found[1]), static_cast<int>(found[2]), found[0]);
 }
 
 // section: 0 if the bonds of this particle are not those of a lattice we know
@@ -332,12 +346,14 @@ bool BondPotdemTruss::centred(int type, int i, double spacing) const
   int opposite = 0;
   std::vector<const double *> near;
   for (int m = 0; m < atom->num_bond[i]; m++)
-    if (atom->bond_type[i][m] == type && bond_store->length(i, m) < spacing * (1.0 + SHELL_TOLERANCE))
+    if (atom->bond_type[i][m] == type &&
+        bond_store->length(i, m) < spacing * (1.0 + SHELL_TOLERANCE))
       near.push_back(atom->x[domain->closest_image(i, atom->map(atom->bond_atom[i][m]))]);
   for (const double *a : near)
     for (const double *b : near) {
       for (int k = 0; k < 3; k++) sum[k] = a[k] + b[k] - 2.0 * atom->x[i][k];
-      if (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] < 0.01 * spacing * spacing) opposite++;
+      if (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] < 0.01 * spacing * spacing)
+        opposite++;
     }
   return opposite == static_cast<int>(near.size());
 }
@@ -385,9 +401,9 @@ template <bool HINDER, bool DAMP> void BondPotdemTruss::choose()
 
 template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel()
 {
-  const auto *const x = (const double (*)[3]) atom->x[0];
-  const auto *const v = (const double (*)[3]) atom->v[0];
-  auto *const f = (double (*)[3]) atom->f[0];
+  const auto *const x = (const double(*)[3]) atom->x[0];
+  const auto *const v = (const double(*)[3]) atom->v[0];
+  auto *const f = (double(*)[3]) atom->f[0];
   const int *const partner = bonds.partner.data();
   const int *const type = bonds.type.data();
   const double *const inverse_length2 = bonds.inverse_length2.data();
@@ -435,12 +451,15 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
 void BondPotdemTruss::collapsed(int i, int j, double r2) const
 {
   error->one(FLERR,
-             "Bond between atoms {} and {} has length {} on step {}: its ends are at the same place or their positions "
-             "are not finite; use a smaller timestep, or keep the ends apart with 'penetration' in bond_coeff",
+             "Bond between atoms {} and {} has length {} on step {}: its ends are at the same "
+             "place or their positions "
+             "are not finite; use a smaller timestep, or keep the ends apart with 'penetration' in "
+             "bond_coeff",
              atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
 }
 
-void BondPotdemTruss::tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz)
+void BondPotdemTruss::tally(int i, int j, int n, double q, double pull, double dx, double dy,
+                            double dz)
 {
   const double energy = eflag_either ? energy_at(n, q) : 0.0;
   ev_tally(i, j, atom->nlocal, 0, energy, -pull, -dx, -dy, -dz);
@@ -455,7 +474,8 @@ double BondPotdemTruss::energy_at(int n, double q) const
 
 POTDEM::Evaluation BondPotdemTruss::law(int type, double r, double re, double modulus) const
 {
-  return coeffs[type].m > 0 ? POTDEM::truss(r, re, modulus, factors[type]) : POTDEM::truss(r, re, modulus);
+  return coeffs[type].m > 0 ? POTDEM::truss(r, re, modulus, factors[type])
+                            : POTDEM::truss(r, re, modulus);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -482,7 +502,8 @@ double BondPotdemTruss::single(int type, double rsq, int i, int j, double &fforc
   const int slot = bond_store->slot(owned, atom->tag[other]);
   if (slot < 0 || bond_store->length(owned, slot) <= 0.0) return 0.0;
   const double r = sqrt(rsq);
-  const auto at = law(type, r, bond_store->length(owned, slot), coeffs[type].E * section(type, owned, slot));
+  const auto at =
+      law(type, r, bond_store->length(owned, slot), coeffs[type].E * section(type, owned, slot));
   fforce = at.force / r;
   return at.energy;
 }

@@ -52,14 +52,14 @@ class BondPotdemTruss : public Bond {
     double area;    // FACTOR: a; LATTICE: the section itself, 0 until the lattice is known
     int m;          // 0: no non-penetration factor
     int normalized;
-    double xi;      // fraction of critical damping
+    double xi;    // fraction of critical damping
   };
 
   // Bonds grouped by their owned atom, in LAMMPS's order; first the partners that are owned too, then
   // the ghosts, whose rank computes the same bond for itself.
   struct Packed {
-    std::vector<int> first, ghosts;             // per owned atom: first bond, first with a ghost partner
-    std::vector<int> partner, type, listed;     // per bond; listed: place in neighbor->bondlist
+    std::vector<int> first, ghosts;    // per owned atom: first bond, first with a ghost partner
+    std::vector<int> partner, type, listed;    // per bond; listed: place in neighbor->bondlist
     std::vector<double> inverse_length2, half_modulus, dashpot;    // 1/re^2, A E/2
   };
 

@@ -28,20 +28,24 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int COLUMNS = 8;          // exx eyy ezz exy exz eyz nbonds rank
-static constexpr double SINGULAR = 1e-10;  // eigenvalues below this fraction of the largest count as zero
-static constexpr double MOVED = 1e-6;      // reference positions and reference lengths agree to this fraction
+static constexpr int COLUMNS = 8;    // exx eyy ezz exy exz eyz nbonds rank
+static constexpr double SINGULAR =
+    1e-10;    // eigenvalues below this fraction of the largest count as zero
+static constexpr double MOVED =
+    1e-6;    // reference positions and reference lengths agree to this fraction
 
 /* ---------------------------------------------------------------------- */
 
 ComputePotdemStrainAtom::ComputePotdemStrainAtom(LAMMPS *lmp, int narg, char **arg) :
     Compute(lmp, narg, arg), nmax(0), strain(nullptr), bond_store(nullptr)
 {
-  if (narg > 3) error->all(FLERR, "compute potdem/strain/atom: unknown keyword '{}', it takes none", arg[3]);
+  if (narg > 3)
+    error->all(FLERR, "compute potdem/strain/atom: unknown keyword '{}', it takes none", arg[3]);
   peratom_flag = 1;
   size_peratom_cols = COLUMNS;
   if (atom->nbonds == 0)
-    error->all(FLERR, "compute potdem/strain/atom {} needs bonds: define it after potdem_bonds", id);
+    error->all(FLERR, "compute potdem/strain/atom {} needs bonds: define it after potdem_bonds",
+               id);
   bond_store = PotdemBondStore::ensure(lmp);
   keep_reference();
 }
@@ -61,7 +65,8 @@ void ComputePotdemStrainAtom::keep_reference()
 {
   fix_id = std::string(id) + "_REFERENCE";
   property = std::string("potdem_") + id;
-  auto fix = modify->add_fix(fmt::format("{} all property/atom d2_{} 3 ghost yes writedata no", fix_id, property));
+  auto fix = modify->add_fix(
+      fmt::format("{} all property/atom d2_{} 3 ghost yes writedata no", fix_id, property));
   if (fix->restart_reset) {
     fix->restart_reset = 0;
     return;
@@ -83,8 +88,11 @@ void ComputePotdemStrainAtom::check_reference(double **reference)
       PotdemCompat::minimum_image(domain, del);
       const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
       if (fabs(r - re) > MOVED * re)
-        error->one(FLERR, "compute potdem/strain/atom {}: the bond of atoms {} and {} is {} long, not its reference "
-                   "length {}; define the compute before the bodies move", id, atom->tag[i], atom->tag[j], r, re);
+        error->one(FLERR,
+                   "compute potdem/strain/atom {}: the bond of atoms {} and {} is {} long, not its "
+                   "reference "
+                   "length {}; define the compute before the bodies move",
+                   id, atom->tag[i], atom->tag[j], r, re);
     }
 }
 
@@ -139,11 +147,15 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
     PotdemCompat::minimum_image(domain, n);
     for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
     if (fabs(n2 - re * re) > 2.0 * MOVED * re * re)
-      error->one(FLERR, "compute potdem/strain/atom {}: the reference state of the bond of atoms {} and {} is lost, "
-                 "because the periodic box has changed; strain across a periodic boundary needs a box of fixed size",
+      error->one(FLERR,
+                 "compute potdem/strain/atom {}: the reference state of the bond of atoms {} and "
+                 "{} is lost, "
+                 "because the periodic box has changed; strain across a periodic boundary needs a "
+                 "box of fixed size",
                  id, atom->tag[i], atom->tag[j]);
-    const double row[6] = {n[0] * n[0] / n2, n[1] * n[1] / n2, n[2] * n[2] / n2,
-                           M_SQRT2 * n[0] * n[1] / n2, M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
+    const double row[6] = {n[0] * n[0] / n2,           n[1] * n[1] / n2,
+                           n[2] * n[2] / n2,           M_SQRT2 * n[0] * n[1] / n2,
+                           M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
     const double eps = POTDEM::truss_strain(r2 / (re * re));
     for (int a = 0; a < 6; a++) {
       right[a] += row[a] * eps;
@@ -154,7 +166,8 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
   out[6] = nbonds;
   if (nbonds == 0) return;
 
-  MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(matrix, values, vectors);
+  MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(
+      matrix, values, vectors);
   for (int k = 0; k < 6 && values[k] > SINGULAR * values[0]; k++) {
     double share = 0.0;
     for (int a = 0; a < 6; a++) share += vectors[k][a] * right[a];

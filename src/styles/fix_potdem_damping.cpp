@@ -67,8 +67,11 @@ void FixPotdemDamping::init()
     if (other == this) {
       after = true;
     } else if (after && (other->setmask() & POST_FORCE) && !isupper(other->style[0])) {
-      error->all(FLERR, "Fix potdem/damping {} acts on the total force, but fix {} ({}) comes after it and may change "
-                 "the force; define fix {} last", id, other->id, other->style, id);
+      error->all(FLERR,
+                 "Fix potdem/damping {} acts on the total force, but fix {} ({}) comes after it "
+                 "and may change "
+                 "the force; define fix {} last",
+                 id, other->id, other->style, id);
     }
   }
 }
@@ -86,7 +89,8 @@ void FixPotdemDamping::post_force(int /*vflag*/)
     if (by_component) {
       for (int k = 0; k < 3; k++) f[i][k] -= lambda * fabs(f[i][k]) * sign(v[i][k]);
     } else {
-      const double s = 1.0 - lambda * sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
+      const double s =
+          1.0 - lambda * sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
       for (int k = 0; k < 3; k++) f[i][k] *= s;
     }
   }

@@ -53,7 +53,8 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
       input.unknown("tension or compression");
     }
   }
-  if (tension < 0.0 && compression < 0.0) input.fail("give a strength: tension ft, compression fc, or both");
+  if (tension < 0.0 && compression < 0.0)
+    input.fail("give a strength: tension ft, compression fc, or both");
 
   scalar_flag = vector_flag = 1;
   size_vector = 3;
@@ -81,8 +82,11 @@ void FixPotdemFailure::init()
   if (!bond) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
   for (const auto &other : modify->get_fix_by_style("^potdem/failure$"))
     if (other != this && dynamic_cast<FixPotdemFailure *>(other)->btype == btype)
-      error->all(FLERR, "Fixes potdem/failure {} and {} are for the same bond type {}: one bond type has one strength, "
-                 "use another bond type or one fix", id, other->id, btype);
+      error->all(FLERR,
+                 "Fixes potdem/failure {} and {} are for the same bond type {}: one bond type has "
+                 "one strength, "
+                 "use another bond type or one fix",
+                 id, other->id, btype);
   bond_store = PotdemBondStore::find(lmp);
   bond->set_strength(btype, tension, compression);
 }
@@ -91,7 +95,10 @@ void FixPotdemFailure::init()
 void FixPotdemFailure::setup(int /*vflag*/)
 {
   if (force->special_lj[1] != 0.0 || force->special_lj[2] != 1.0 || force->special_lj[3] != 1.0)
-    error->all(FLERR, "Fix potdem/failure {} needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds sets it", id);
+    error->all(
+        FLERR,
+        "Fix potdem/failure {} needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds sets it",
+        id);
   agree();
 }
 
@@ -103,7 +110,8 @@ void FixPotdemFailure::end_of_step()
 }
 
 // every rank gets what the others have, in the order of the ranks
-template <class Item> static std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world, int nprocs)
+template <class Item>
+static std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world, int nprocs)
 {
   if (nprocs == 1) return mine;
   int count = mine.size() * sizeof(Item), total;
@@ -113,7 +121,8 @@ template <class Item> static std::vector<Item> gather(const std::vector<Item> &m
   std::vector<int> counts(nprocs), starts(nprocs, 0);
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
   for (int rank = 1; rank < nprocs; rank++) starts[rank] = starts[rank - 1] + counts[rank - 1];
-  MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, world);
+  MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
+                 world);
   return all;
 }
 
@@ -152,7 +161,8 @@ std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
   std::vector<Failure> mine;
   for (const auto &doomed : pending) {
     const int i = atom->map(doomed.low);
-    if (atom->map(doomed.high) >= 0 && i >= 0 && i < atom->nlocal) mine.push_back(describe(i, doomed));
+    if (atom->map(doomed.high) >= 0 && i >= 0 && i < atom->nlocal)
+      mine.push_back(describe(i, doomed));
   }
   record(mine);
   return gather(mine, world, comm->nprocs);
@@ -231,7 +241,8 @@ double FixPotdemFailure::compute_vector(int n)
 
 double FixPotdemFailure::memory_usage()
 {
-  return static_cast<double>(events.capacity() * sizeof(Failure) + rows.capacity() * sizeof(double *));
+  return static_cast<double>(events.capacity() * sizeof(Failure) +
+                             rows.capacity() * sizeof(double *));
 }
 
 /* ---------------------------------------------------------------------- */

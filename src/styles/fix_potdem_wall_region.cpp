@@ -30,8 +30,8 @@ static constexpr double LAYER_EXPONENT = 2.0;
 ------------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), region(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT}, viscosity(0.0),
-    mine(), total(), summed(false), kernel(nullptr)
+    Fix(lmp, narg, arg), region(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT},
+    viscosity(0.0), mine(), total(), summed(false), kernel(nullptr)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -47,10 +47,12 @@ void FixPotdemWallRegion::read(int narg, char **arg)
 {
   PotdemInput input(lmp, "fix potdem/wall/region", narg, arg);
   region_id = input.word();
-  if (!domain->get_region_by_id(region_id)) input.fail(fmt::format("there is no region '{}'", region_id));
+  if (!domain->get_region_by_id(region_id))
+    input.fail(fmt::format("there is no region '{}'", region_id));
   const double Ewall = input.positive("E of the wall"), nuwall = input.poisson("nu of the wall");
   if (!input.next_is("particle"))
-    input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of the wall");
+    input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of "
+               "the wall");
   const double E = input.positive("particle E"), nu = input.poisson("particle nu");
   law.modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
   while (!input.done()) {
@@ -63,7 +65,8 @@ void FixPotdemWallRegion::read(int narg, char **arg)
       if (input.next_is("none")) continue;
       law.layer = input.positive("layer gamma_over_r");
       law.m = input.number("layer m");
-      if (law.m < 1.0) input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", law.m));
+      if (law.m < 1.0)
+        input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", law.m));
     } else {
       input.word();
       input.unknown("friction, layer or viscous");
@@ -82,14 +85,19 @@ void FixPotdemWallRegion::init()
 {
   potdem_refuse_respa(lmp, "fix potdem/wall/region");
   region = domain->get_region_by_id(region_id);
-  if (!region) error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
+  if (!region)
+    error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or "
-               "bpm/sphere", id);
+    error->all(FLERR,
+               "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or "
+               "bpm/sphere",
+               id);
   if (friction.mu > 0.0)
-    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true> : &FixPotdemWallRegion::push_all<true, false>;
+    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true>
+                             : &FixPotdemWallRegion::push_all<true, false>;
   else
-    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<false, true> : &FixPotdemWallRegion::push_all<false, false>;
+    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<false, true>
+                             : &FixPotdemWallRegion::push_all<false, false>;
 }
 
 void FixPotdemWallRegion::setup(int vflag)
@@ -125,9 +133,12 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push_all()
     if (!(atom->mask[i] & groupbit)) continue;
     const double *x = atom->x[i], ri = atom->radius[i];
     if (!region->match(x[0], x[1], x[2]))
-      error->one(FLERR, "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, {}) on step "
-                 "{}; use a smaller timestep, a stiffer wall, or start the particles inside the region", id,
-                 atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+      error->one(
+          FLERR,
+          "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, {}) on "
+          "step "
+          "{}; use a smaller timestep, a stiffer wall, or start the particles inside the region",
+          id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
     const int ncontact = region->surface(x[0], x[1], x[2], ri + law.thickness(ri));
     for (int c = 0; c < ncontact; c++) push<SLIDE, VISCOUS>(i, c);
   }
@@ -151,8 +162,10 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
     if (VISCOUS) normal = std::fmax(0.0, normal - at.force / w * viscosity * leaving);
     if (SLIDE) {
       for (int k = 0; k < 3; k++) sliding[k] = u[k] - leaving * n[k];
-      const double speed = sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
-      if (speed > 0.0) b = friction.factor(speed, normal, friction.viscosity(atom->rmass[i], update->dt));
+      const double speed =
+          sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
+      if (speed > 0.0)
+        b = friction.factor(speed, normal, friction.viscosity(atom->rmass[i], update->dt));
     }
   }
 
@@ -170,7 +183,8 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
   mine[5] -= foot[2] * f[0] - foot[0] * f[2];
   mine[6] -= foot[0] * f[1] - foot[1] * f[0];
   if (evflag) {
-    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2], f[0] * del[1], f[0] * del[2], f[1] * del[2]};
+    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2],
+                        f[0] * del[1], f[0] * del[2], f[1] * del[2]};
     v_tally(i, virial);
   }
 }

@@ -52,7 +52,8 @@ void PairPotdemBase::allocate()
 
 void PairPotdemBase::settings(int narg, char **arg)
 {
-  if (narg > 0) error->all(FLERR, "pair_style {}: unknown keyword '{}', it takes none", name(), arg[0]);
+  if (narg > 0)
+    error->all(FLERR, "pair_style {}: unknown keyword '{}', it takes none", name(), arg[0]);
 }
 
 void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &slide)
@@ -64,7 +65,8 @@ void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM:
       setflag[i][j] = 1;
       count++;
     }
-  if (count == 0) error->all(FLERR, "pair_coeff {}: no pair of types I <= J in the range given", name());
+  if (count == 0)
+    error->all(FLERR, "pair_coeff {}: no pair of types I <= J in the range given", name());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -73,7 +75,9 @@ void PairPotdemBase::init_style()
 {
   potdem_refuse_respa(lmp, fmt::format("pair_style {}", name()));
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere", name());
+    error->all(FLERR,
+               "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere",
+               name());
   // after a restart the pair style is the first to ask for it
   bond_store = force->bond_match("potdem/truss") ? PotdemBondStore::ensure(lmp) : nullptr;
   find_diameters();
@@ -88,8 +92,9 @@ void PairPotdemBase::find_diameters()
   std::vector<double> mine(atom->ntypes + 1, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->radius[i] > 0.0))
-      error->one(FLERR, "pair_style {}: atom {} has diameter {}, it must be > 0; use set ... diameter", name(),
-                 atom->tag[i], 2.0 * atom->radius[i]);
+      error->one(FLERR,
+                 "pair_style {}: atom {} has diameter {}, it must be > 0; use set ... diameter",
+                 name(), atom->tag[i], 2.0 * atom->radius[i]);
     mine[atom->type[i]] = MAX(mine[atom->type[i]], atom->radius[i]);
   }
   largest_radius.resize(mine.size());
@@ -101,7 +106,9 @@ double PairPotdemBase::init_one(int i, int j)
 {
   if (setflag[i][j] == 0) {
     if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR, "pair_style {}: coefficients for types {} and {} are not set; use pair_coeff", name(), i, j);
+      error->all(FLERR,
+                 "pair_style {}: coefficients for types {} and {} are not set; use pair_coeff",
+                 name(), i, j);
     mix(i, j);
     mix_friction(i, j);
   }
@@ -129,21 +136,24 @@ double PairPotdemBase::contact_distance(int i, int j, double dbar) const
 
 void PairPotdemBase::collapsed(int i, int j, double r2) const
 {
-  error->one(FLERR,
-             "pair_style {}: atoms {} and {} are {} apart on step {}: they are at the same place or their positions are "
-             "not finite; use a smaller timestep, or keep them apart with 'penetration' in pair_coeff",
-             name(), atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
+  error->one(
+      FLERR,
+      "pair_style {}: atoms {} and {} are {} apart on step {}: they are at the same place or their "
+      "positions are "
+      "not finite; use a smaller timestep, or keep them apart with 'penetration' in pair_coeff",
+      name(), atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */
 
-double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq, double /*factor_coul*/,
-                              double factor_lj, double &fforce)
+double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
+                              double /*factor_coul*/, double factor_lj, double &fforce)
 {
   fforce = 0.0;
   const double dbar = atom->radius[i] + atom->radius[j], r = sqrt(rsq);
   if (r >= reach(itype, jtype, dbar)) return 0.0;
-  const double dref = i < atom->nlocal ? contact_distance(i, j, dbar) : contact_distance(j, i, dbar);
+  const double dref = i < atom->nlocal ? contact_distance(i, j, dbar)
+                                       : contact_distance(j, i, dbar);
   const auto law = evaluate(at(itype, jtype), r, dbar, dref);
   fforce = factor_lj * law.force / r;
   return factor_lj * law.energy;
@@ -163,7 +173,9 @@ template <class Action> void PairPotdemBase::for_each_coeff(Action action)
 
 void PairPotdemBase::write_restart(FILE *fp)
 {
-  for_each_coeff([&](void *data, std::size_t size) { fwrite(data, size, 1, fp); });
+  for_each_coeff([&](void *data, std::size_t size) {
+    fwrite(data, size, 1, fp);
+  });
 }
 
 void PairPotdemBase::read_restart(FILE *fp)

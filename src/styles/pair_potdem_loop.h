@@ -60,9 +60,9 @@ template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
 
 template <class Law> template <bool SLIDE, bool EV> void PairPotdem<Law>::loop()
 {
-  const auto *const x = (const double (*)[3]) atom->x[0];
-  const auto *const v = (const double (*)[3]) atom->v[0];
-  auto *const f = (double (*)[3]) atom->f[0];
+  const auto *const x = (const double(*)[3]) atom->x[0];
+  const auto *const v = (const double(*)[3]) atom->v[0];
+  auto *const f = (double(*)[3]) atom->f[0];
   const double *const radius = atom->radius;
   const int *const type = atom->type;
   const int nlocal = atom->nlocal, newton = force->newton_pair;

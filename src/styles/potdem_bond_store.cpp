@@ -105,13 +105,15 @@ void PotdemBondStore::measure_new_bonds()
       if (length(i, m) != 0.0 || atom->bond_type[i][m] <= 0) continue;
       const int k = atom->map(atom->bond_atom[i][m]);
       if (k < 0)
-        error->one(FLERR,
-                   "Bond partner {} of atom {} is beyond the communication cutoff; increase it with "
-                   "comm_modify cutoff",
-                   atom->bond_atom[i][m], atom->tag[i]);
+        error->one(
+            FLERR,
+            "Bond partner {} of atom {} is beyond the communication cutoff; increase it with "
+            "comm_modify cutoff",
+            atom->bond_atom[i][m], atom->tag[i]);
       const int j = domain->closest_image(i, k);
       const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
-      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1], x[high][2] - x[low][2]};
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
+                             x[high][2] - x[low][2]};
       store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]),
             POTDEM::truss_section(atom->radius[i] + atom->radius[j]));
     }

@@ -35,11 +35,13 @@ class PotdemBondStore : public FixBondHistory {
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
 
-  double longest() const;                          // largest reference length on any rank
-  int slot(int i, tagint partner) const;           // bond of owned atom i with this partner, or -1
-  void measure_new_bonds();                        // bonds without a reference length get the present one
-  void remove(int i, int slot, double contact);    // bond of owned atom i; keep contact distance if > 0
-  void turn_off_failed();    // after a restart or a new special list: failed bonds are no neighbours
+  double longest() const;                   // largest reference length on any rank
+  int slot(int i, tagint partner) const;    // bond of owned atom i with this partner, or -1
+  void measure_new_bonds();                 // bonds without a reference length get the present one
+  void remove(int i, int slot,
+              double contact);    // bond of owned atom i; keep contact distance if > 0
+  void
+  turn_off_failed();    // after a restart or a new special list: failed bonds are no neighbours
 
   bool overlapping() const { return noverlap > 0; }
   double contact_distance(int i, tagint partner, double dbar) const;

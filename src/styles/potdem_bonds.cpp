@@ -43,7 +43,8 @@ PotdemBonds::PotdemBonds(LAMMPS *lmp) :
 
 void PotdemBonds::command(int narg, char **arg)
 {
-  if (!domain->box_exist) error->all(FLERR, "potdem_bonds needs a simulation box: use create_box first");
+  if (!domain->box_exist)
+    error->all(FLERR, "potdem_bonds needs a simulation box: use create_box first");
   check_style();
   read(narg, arg);
   check_atoms();
@@ -56,8 +57,11 @@ void PotdemBonds::command(int narg, char **arg)
   const double cutoff = (in_diameters ? reach * all : reach) * (1.0 + 2.0 * SHELL_TOLERANCE);
   for (int k = 0; k < 3; k++)
     if (domain->periodicity[k] && 2.0 * cutoff > domain->prd[k])
-      error->all(FLERR, "potdem_bonds: r_infl {} is more than half the periodic box length {}; make the box "
-                 "larger or r_infl smaller", cutoff, domain->prd[k]);
+      error->all(
+          FLERR,
+          "potdem_bonds: r_infl {} is more than half the periodic box length {}; make the box "
+          "larger or r_infl smaller",
+          cutoff, domain->prd[k]);
 
   const auto bonds = find_pairs(neighbours(cutoff));
   make_room(bonds);
@@ -98,17 +102,20 @@ void PotdemBonds::read(int narg, char **arg)
 void PotdemBonds::check_style()
 {
   if (!atom->tag_enable || atom->molecular != Atom::MOLECULAR)
-    error->all(FLERR, "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style bpm/sphere");
+    error->all(FLERR,
+               "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style bpm/sphere");
   if (!atom->radius_flag)
     error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style bpm/sphere");
 }
 
 void PotdemBonds::check_atoms()
 {
-  if (group->count(igroup) == 0) error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & group->bitmask[igroup]) && !(atom->radius[i] > 0.0))
-      error->one(FLERR, "potdem_bonds: atom {} has diameter {}, it must be > 0; use set ... diameter",
+      error->one(FLERR,
+                 "potdem_bonds: atom {} has diameter {}, it must be > 0; use set ... diameter",
                  atom->tag[i], 2.0 * atom->radius[i]);
 }
 
@@ -121,8 +128,10 @@ void PotdemBonds::take_over_settings()
 {
   if (force->newton_bond) {
     if (atom->nbonds > 0)
-      error->all(FLERR, "potdem_bonds: the bonds that exist were made with newton on for bonds; put 'newton "
-                 "on off' before the box is created");
+      error->all(
+          FLERR,
+          "potdem_bonds: the bonds that exist were made with newton on for bonds; put 'newton "
+          "on off' before the box is created");
     force->newton_bond = 0;
     force->newton = force->newton_pair;
     if (comm->me == 0) utils::logmesg(lmp, "potdem_bonds: newton off for bonds\n");
@@ -199,12 +208,14 @@ std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
       if (!(atom->mask[j] & groupbit)) continue;
       // the same two positions in the same order from both ends
       const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
-      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1], x[high][2] - x[low][2]};
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
+                             x[high][2] - x[low][2]};
       const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
       const double dbar = atom->radius[i] + atom->radius[j];
       if (r > (in_diameters ? reach * dbar : reach) * (1.0 + SHELL_TOLERANCE)) continue;
       if (r == 0.0)
-        error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i], atom->tag[j]);
+        error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i],
+                   atom->tag[j]);
       const bool cut = region && crosses_crack(x[low], x[high]);
       if (cut && r >= dbar) continue;
       found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar)});
@@ -286,15 +297,19 @@ void PotdemBonds::add(const std::vector<NewBond> &bonds)
 
 void PotdemBonds::report(const std::vector<NewBond> &bonds)
 {
-  bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) { return b.length > 0.0; });
+  bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) {
+    return b.length > 0.0;
+  });
   bigint all;
   MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   atom->nbonds += all / 2;
   if (all == 0)
-    error->all(FLERR, "potdem_bonds: no two particles of group '{}' that are not bonded already are within r_infl = {}{}",
+    error->all(FLERR,
+               "potdem_bonds: no two particles of group '{}' that are not bonded already are "
+               "within r_infl = {}{}",
                group->names[igroup], reach, in_diameters ? " diameters" : "");
   const double per_particle = static_cast<double>(all) / group->count(igroup);
   if (comm->me == 0)
-    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n", all / 2, btype,
-                   group->names[igroup], per_particle);
+    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n",
+                   all / 2, btype, group->names[igroup], per_particle);
 }

@@ -23,9 +23,9 @@ class PotdemBonds : public Command {
 
  private:
   struct NewBond {
-    int i;             // owned atom
+    int i;    // owned atom
     tagint partner;
-    double length;     // negative: no bond but a contact of this length (PotdemBondStore)
+    double length;    // negative: no bond but a contact of this length (PotdemBondStore)
     double section;
   };
 

@@ -96,7 +96,8 @@ int PotdemInput::whole(const std::string &name, int most)
 
 int PotdemInput::bond_type()
 {
-  if (atom->nbondtypes == 0) fail("there are no bond types; give create_box some with 'bond/types N'");
+  if (atom->nbondtypes == 0)
+    fail("there are no bond types; give create_box some with 'bond/types N'");
   return whole("bond type", atom->nbondtypes);
 }
 

@@ -25,15 +25,15 @@ class PotdemInput : protected Pointers {
   PotdemInput(LAMMPS *lmp, std::string command, int narg, char **arg);
 
   bool done() const { return at >= narg; }
-  std::string word();                          // next argument
-  double number(const std::string &name);      // next argument as a finite number
+  std::string word();                        // next argument
+  double number(const std::string &name);    // next argument as a finite number
   double positive(const std::string &name);
   double nonnegative(const std::string &name);
-  double poisson(const std::string &name);     // -1 < nu <= 0.5
+  double poisson(const std::string &name);         // -1 < nu <= 0.5
   int whole(const std::string &name, int most);    // 1 to most
   int bond_type();
-  bool next_is(const std::string &word);    // consume the next argument if it is this word
-  POTDEM::Friction friction();                 // the values after 'friction': mu eta|auto
+  bool next_is(const std::string &word);        // consume the next argument if it is this word
+  POTDEM::Friction friction();                  // the values after 'friction': mu eta|auto
   void penetration(int &m, int &normalized);    // the values after 'penetration': m [normalized]
   [[noreturn]] void unknown(const std::string &choices);
   [[noreturn]] void fail(const std::string &text);
