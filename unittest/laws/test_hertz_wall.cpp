@@ -58,8 +58,8 @@ TEST(HertzWall, EnergyForceAndStiffnessBelongTogether)
       const double w = overlap * ri;
       // differences must not reach over the kink at the layer's edge
       const double edge = std::fabs(w - c.layer * ri), scale = std::fmin(w, edge > 0.0 ? edge : w);
-      reference::expect_derivatives([&](double t) { return HertzWall{modulus, c.layer, c.m}.evaluate(t, ri); }, w, scale,
-                                    -1.0);
+      const HertzWall law{modulus, c.layer, c.m};
+      reference::expect_derivatives([&](double t) { return law.evaluate(t, ri); }, w, scale, -1.0);
     }
 }
 

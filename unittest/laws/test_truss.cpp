@@ -178,7 +178,8 @@ TEST(Penetration, StiffnessIsPositiveEverywhere)
 {
   for (int m = 1; m <= 64; m++) {
     const Penetration factor(m, false);
-    for (double x = 0.01; x < 5.0; x += 0.01) EXPECT_GT(truss(x * re, re, modulus, factor).stiffness, 0.0) << m << " " << x;
+    for (double x = 0.01; x < 5.0; x += 0.01)
+      EXPECT_GT(truss(x * re, re, modulus, factor).stiffness, 0.0) << m << " " << x;
   }
 }
 

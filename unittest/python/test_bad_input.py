@@ -68,7 +68,8 @@ CASES = {
     "bond area lattice without a lattice": (bond("* 5 area lattice\npotdem_bonds all 1 1.2\nrun 0"),
                                             ["area lattice for bond type 1", "cubic", "use area factor"]),
     "bonds made with newton on": (
-        BOND + "bond_coeff * 5 area factor 0.5\nspecial_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\nrun 0",
+        BOND + "bond_coeff * 5 area factor 0.5\n"
+        "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\nrun 0",
         ["newton off for bonds", "potdem_bonds", "newton on off"]),
     # potdem_bonds
     "bonds without a box": ("units si\natom_style bpm/sphere\npotdem_bonds all 1 1.2", ["potdem_bonds", "create_box"]),
@@ -87,14 +88,16 @@ CASES = {
         scripts.box(3, "p p p") + scripts.particles([(0, 0, 0, 1.0), (1, 0, 0, 1.0)]) + "potdem_bonds all 1 1.6",
         ["r_infl 1.6", "half the periodic box length 3", "larger"]),
     "bonds at one place": (
-        BOX + scripts.particles([(0, 0, 0, 1.0), (0, 0, 0, 1.0)]) + "potdem_bonds all 1 1.2", ["atoms", "1", "2", "same place"]),
+        BOX + scripts.particles([(0, 0, 0, 1.0), (0, 0, 0, 1.0)]) + "potdem_bonds all 1 1.2",
+        ["atoms", "1", "2", "same place"]),
     "bonds in atom style sphere": (
         "units si\natom_style sphere\nboundary f f f\nregion box block 0 5 0 5 0 5\ncreate_box 1 box\n"
         "create_atoms 1 single 1 1 1\npotdem_bonds all 1 1.2", ["atom style with bonds", "bpm/sphere"]),
     "bonds in atom style bond": (
         scripts.box(5, atom_style="bond") + "create_atoms 1 single 1 1 1\nmass 1 1.0\npotdem_bonds all 1 1.2",
         ["particle diameters", "bpm/sphere"]),
-    "bonds of points": (BOX + ATOMS + "set atom 2 diameter 0\npotdem_bonds all 1 1.2", ["atom 2", "diameter 0", "> 0", "set"]),
+    "bonds of points": (BOX + ATOMS + "set atom 2 diameter 0\npotdem_bonds all 1 1.2",
+                        ["atom 2", "diameter 0", "> 0", "set"]),
     # atoms that the styles cannot do without
     "contact of points": (PAIR + "pair_coeff * * 5 0.5\nset atom 2 diameter 0\nrun 0", ["atom 2", "diameter 0", "> 0"]),
     "negative diameter": (BOX + ATOMS + "set atom 2 diameter -1", ["diameter"]),
@@ -102,7 +105,8 @@ CASES = {
         scripts.box(5, atom_style="bond") + "create_atoms 1 single 1 1 1\nmass 1 1.0\npair_style potdem/truss\n"
         "pair_coeff * * 5 0.5\nrun 0", ["pair_style potdem/truss", "particle diameters", "bpm/sphere"]),
     "wall without diameters": (
-        scripts.box(5, atom_style="bond") + "create_atoms 1 single 1 1 1\nmass 1 1.0\npair_style none\nbond_style none\n"
+        scripts.box(5, atom_style="bond") + "create_atoms 1 single 1 1 1\nmass 1 1.0\n"
+        "pair_style none\nbond_style none\n"
         "region floor plane 0 0 -2 0 0 1\nfix w all potdem/wall/region floor 5 0.3 particle 5 0.3\nrun 0",
         ["potdem/wall/region w", "particle diameters"]),
     # failure
@@ -118,7 +122,8 @@ CASES = {
     "failure of other bonds": (
         BOX + ATOMS + "pair_style none\nbond_style zero\nbond_coeff *\nfix f all potdem/failure 1 tension 5\nrun 0",
         ["potdem/failure f", "bond_style potdem/truss"]),
-    "failure special bonds": (failure("1 tension 5\nspecial_bonds lj 1 1 1\nrun 0"), ["potdem/failure f", "special_bonds"]),
+    "failure special bonds": (failure("1 tension 5\nspecial_bonds lj 1 1 1\nrun 0"),
+                              ["bond_style potdem/truss", "special_bonds lj 0 1 1"]),
     # wall
     "wall region": (wall("ceiling 5 0.3 particle 5 0.3"), ["fix potdem/wall/region", "no region 'ceiling'"]),
     "wall region gone": (wall("floor 5 0.3 particle 5 0.3\nregion floor delete\nrun 0"), ["floor", "does not exist"]),

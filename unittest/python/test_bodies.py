@@ -45,7 +45,8 @@ def test_bonds_of_a_periodic_crystal(run_lammps, nprocs):
     """every shell within r_infl, its last one included, for any number of ranks; one body after another
     needs more bonds per particle than the last, so that LAMMPS's arrays grow each time"""
     for reach, shell in SHELLS.items():
-        script = scripts.box(6, "p p p") + scripts.crystal() + scripts.elastic() + f"potdem_bonds all 1 {reach}\nrun 1\n"
+        script = scripts.box(6, "p p p") + scripts.crystal() + scripts.elastic()
+        script += f"potdem_bonds all 1 {reach}\nrun 1\n"
         script += scripts.result("bonds")
         run = run_lammps(script, nprocs=nprocs)
         assert bond_count(run.stdout) == [(216 * shell // 2, shell)]
@@ -63,7 +64,8 @@ def test_pairs_of_a_periodic_crystal(run_lammps, tmp_path, nprocs):
 @pytest.mark.parametrize("nprocs", [1, 4])
 def test_bonds_in_a_tilted_box(run_lammps, nprocs):
     """a tilt by one spacing leaves the crystal as it is"""
-    script = scripts.box(6, "p p p") + scripts.crystal() + "change_box all triclinic\nchange_box all xy final 1.0 boundary p p p\n"
+    script = scripts.box(6, "p p p") + scripts.crystal()
+    script += "change_box all triclinic\nchange_box all xy final 1.0 boundary p p p\n"
     script += scripts.elastic() + "potdem_bonds all 1 1.75\nrun 0\n" + scripts.result("pe", "bonds")
     energy, bonds = scripts.results(run_lammps(script, nprocs=nprocs).stdout)[0]
     assert bonds == 216 * 26 / 2
@@ -197,13 +199,15 @@ def test_area_factor(run_lammps):
 def test_energy_of_a_finite_strain(run_lammps):
     """a periodic crystal under a uniform stretch of 20 %: the sum over one site's bonds"""
     strain, E, a = 0.2, 1000.0, 0.281
-    script = scripts.box(5, "p p p") + scripts.crystal() + scripts.elastic(E, f"factor {a}") + "potdem_bonds all 1 2.0\n"
+    script = scripts.box(5, "p p p") + scripts.crystal() + scripts.elastic(E, f"factor {a}")
+    script += "potdem_bonds all 1 2.0\n"
     script += f"run 0\nchange_box all x scale {1 + strain} remap units box\nrun 0\n" + scripts.result("pe")
     energy = scripts.results(run_lammps(script).stdout)[0][0]
     bonds = lattice_bonds(CELLS["sc"], 1.0, 2.0)
     length = np.linalg.norm(bonds, axis=1)
     stretched = np.linalg.norm(bonds * [1 + strain, 1, 1], axis=1)
-    per_site = 0.5 * sum(scripts.truss_energy(x, r, E * scripts.section(1.0, a)) for x, r in zip(stretched / length, length))
+    modulus = E * scripts.section(1.0, a)
+    per_site = 0.5 * sum(scripts.truss_energy(x, r, modulus) for x, r in zip(stretched / length, length))
     assert energy == pytest.approx(125 * per_site, rel=1e-12)
 
 
@@ -225,7 +229,8 @@ def test_overlapping_pair_across_a_crack_starts_from_no_force(run_lammps):
 def test_a_second_network_leaves_bonded_pairs_alone(run_lammps, tmp_path):
     """potdem_bonds again with a longer reach adds the new shell only, with its own type"""
     script = scripts.box(6, "p p p", bond_types=2) + scripts.crystal() + scripts.elastic()
-    script += "potdem_bonds all 1 1.1\nrun 1\npotdem_bonds all 2 1.42\n" + DUMP_BONDS + scripts.write_dump("x.dump", "x y z")
+    script += "potdem_bonds all 1 1.1\nrun 1\npotdem_bonds all 2 1.42\n" + DUMP_BONDS
+    script += scripts.write_dump("x.dump", "x y z")
     for nprocs in (1, 2):
         run = run_lammps(script, nprocs=nprocs)
         assert bond_count(run.stdout) == [(648, 6), (1296, 12)]
@@ -235,8 +240,10 @@ def test_a_second_network_leaves_bonded_pairs_alone(run_lammps, tmp_path):
 def test_bonds_made_by_lammps_start_from_where_they_are(run_lammps):
     """create_bonds instead of potdem_bonds: the distance at the first run is the reference length"""
     script = scripts.box(20, newton="on off") + scripts.particles([(0, 0, 0, 1.0), (1.1, 0, 0, 1.4)])
-    script += scripts.elastic(1000.0, "factor 0.5") + "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\n"
-    script += "thermo_style custom step ebond\nrun 0\n" + scripts.result("ebond") + "set atom 2 x 1.21\nrun 0\n" + scripts.result("ebond")
+    script += scripts.elastic(1000.0, "factor 0.5")
+    script += "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\n"
+    script += "thermo_style custom step ebond\nrun 0\n" + scripts.result("ebond") + "set atom 2 x 1.21\nrun 0\n"
+    script += scripts.result("ebond")
     rest, stretched = scripts.results(run_lammps(script).stdout)[:, 0]
     assert rest == 0.0
     assert stretched == pytest.approx(scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.2, 0.5)), rel=1e-12)

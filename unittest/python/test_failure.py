@@ -10,10 +10,10 @@ MASS = scripts.sphere_mass(1.0)
 COLUMNS = ("step", "time", "tag1", "tag2", "x", "y", "z", "strain", "energy", "contact")
 
 
-def pair_script(failure, distance=1.0, speed=(0.0, 0.0), bond="", contact=A, step=1e-4, every=1, diameter=1.0, group="all"):
+def pair_script(failure, distance=1.0, speed=(0.0, 0.0), bond="", step=1e-4, every=1, group="all"):
     """two bonded particles on the x axis with a speed each, positive to the right; thermo each step"""
-    return scripts.box(20) + scripts.particles([(0, 0, 0, diameter), (distance, 0, 0, diameter)]) + scripts.elastic(
-        E, f"factor {A}", bond, contact) + f"""
+    return scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (distance, 0, 0, 1.0)]) + scripts.elastic(
+        E, f"factor {A}", bond, A) + f"""
 potdem_bonds all 1 {1.1 * distance:.17g}
 group one id 1
 group two id 2
@@ -44,11 +44,13 @@ def stress(r, length=1.0, m=0, normalized=False):
     return scripts.truss_tension(r / length, E, m, normalized)
 
 
-@pytest.mark.parametrize("bond, m, normalized", [("", 0, False), ("penetration 2", 2, False), ("penetration 3 normalized", 3, True)])
+@pytest.mark.parametrize("bond, m, normalized", [("", 0, False), ("penetration 2", 2, False),
+                                                 ("penetration 3 normalized", 3, True)])
 def test_fails_at_the_strength_and_not_before(run_lammps, tmp_path, bond, m, normalized):
     """pulled apart at a steady speed: the bond holds on the step where the stress reaches ft and is gone on the next"""
     strength = 80.0
-    run = run_lammps(pair_script(f"tension {strength}", speed=(-2.0, 2.0), bond=bond) + "fix hold all setforce 0 0 0\nrun 400\n")
+    script = pair_script(f"tension {strength}", speed=(-2.0, 2.0), bond=bond)
+    run = run_lammps(script + "fix hold all setforce 0 0 0\nrun 400\n")
     r, broken = run.thermo["v_r"], run.thermo["f_failure"]
     sigma = stress(r, m=m, normalized=normalized)
     first = int(np.argmax(sigma >= strength))
@@ -116,7 +118,8 @@ def test_energy_balance_is_second_order_in_the_step(run_lammps):
     fails falls differently"""
     def error(dt):
         steps = int(round(0.05 / dt))
-        return imbalance(run_lammps(pair_script("tension 80", speed=(-3, 3), step=dt, every=steps) + f"run {steps}\n").thermo)
+        script = pair_script("tension 80", speed=(-3, 3), step=dt, every=steps)
+        return imbalance(run_lammps(script + f"run {steps}\n").thermo)
 
     assert error(1e-4) < 0.1 * error(4e-4)
 
@@ -137,15 +140,16 @@ def test_failure_of_an_overlapping_pair_injects_no_energy(run_lammps, tmp_path, 
     assert np.all(force >= 0.0)
     assert np.all(force[r >= contact] == 0.0)
     inside = r < contact
-    assert force[inside] == pytest.approx(-scripts.truss_tension(r[inside] / contact, MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+    push = -scripts.truss_tension(r[inside] / contact, MODULUS)
+    assert force[inside] == pytest.approx(push, rel=1e-9, abs=1e-9 * MODULUS)
     if failure.startswith("compression"):
         assert np.any(inside)
 
 
 def test_bonded_pairs_do_not_touch(run_lammps):
     """no contact force between two bonded particles, however far they overlap"""
-    run = run_lammps(pair_script("tension 1e6", 0.5) + "run 0\nset atom 2 x 0.3\nrun 0\n" + scripts.result("evdwl", "ebond", "fx[2]"))
-    evdwl, ebond, force = scripts.results(run.stdout)[-1]
+    script = pair_script("tension 1e6", 0.5) + "run 0\nset atom 2 x 0.3\nrun 0\n"
+    evdwl, ebond, force = scripts.results(run_lammps(script + scripts.result("evdwl", "ebond", "fx[2]")).stdout)[-1]
     assert evdwl == 0.0
     assert ebond == pytest.approx(scripts.truss_energy(0.6, 0.5, MODULUS), rel=1e-13)
     assert force == pytest.approx(-scripts.truss_tension(0.6, MODULUS), rel=1e-13)
@@ -153,7 +157,8 @@ def test_bonded_pairs_do_not_touch(run_lammps):
 
 def test_nothing_fails_during_set_up(run_lammps):
     """far over the strength: run 0 leaves the bond in place, any number of times; the first step takes it"""
-    script = pair_script("tension 10", speed=(0, 0)) + "set atom 2 x 1.5\nrun 0\nrun 0\n" + scripts.result("f_failure", "bonds", "ebond")
+    script = pair_script("tension 10", speed=(0, 0)) + "set atom 2 x 1.5\nrun 0\nrun 0\n"
+    script += scripts.result("f_failure", "bonds", "ebond")
     script += "run 1\n" + scripts.result("f_failure", "bonds", "ebond")
     still, gone = scripts.results(run_lammps(script).stdout)
     assert tuple(still) == pytest.approx((0, 1, scripts.truss_energy(1.5, 1.0, MODULUS)), rel=1e-13)
@@ -169,7 +174,8 @@ def test_only_bonds_inside_the_group_fail(run_lammps):
 
 def test_only_its_own_bond_type_fails(run_lammps):
     """two pairs with two types, both overstretched, two fixes with different strengths"""
-    script = scripts.box(30, bond_types=2) + scripts.particles([(0, k, 0, 1.0) for k in (-5, 5)] + [(1.0, k, 0, 1.0) for k in (-5, 5)])
+    script = scripts.box(30, bond_types=2)
+    script += scripts.particles([(x, y, 0, 1.0) for x in (0, 1) for y in (-5, 5)])
     script += scripts.elastic(E) + """
 group a id 1 3
 group b id 2 4
@@ -191,7 +197,8 @@ run 300
 
 def test_strength_of_a_dashpot_bond_is_elastic(run_lammps):
     """the stress that counts is E c eps: a viscous force alone breaks nothing"""
-    run = run_lammps(pair_script("tension 10 compression 10", speed=(-50, 50), bond="damping 1.0", step=1e-7) + "run 3\n")
+    script = pair_script("tension 10 compression 10", speed=(-50, 50), bond="damping 1.0", step=1e-7)
+    run = run_lammps(script + "run 3\n")
     assert np.abs(run.thermo["v_f"][0]) > 10 * scripts.section(1.0, A)
     assert run.thermo["f_failure"][-1] == 0
 

@@ -5,7 +5,8 @@ import pytest
 import scripts
 
 E, A = 500.0, 0.6
-CLUSTER = [(0, 0, 0, 1.0, 1), (0.9, 0.1, 0, 1.2, 2), (0.2, 0.95, 0.1, 1.0, 1), (0.5, 0.3, 0.6, 0.9, 2), (-0.9, 0.2, 0.1, 1.1, 1)]
+CLUSTER = [(0, 0, 0, 1.0, 1), (0.9, 0.1, 0, 1.2, 2), (0.2, 0.95, 0.1, 1.0, 1),
+           (0.5, 0.3, 0.6, 0.9, 2), (-0.9, 0.2, 0.1, 1.1, 1)]
 COEFFS = [("1 1", f"{E} {A}"), ("1 2", f"{2 * E} {A} penetration 2"), ("2 2", f"{E} {A} friction 0.3 1.5")]
 
 
@@ -13,7 +14,8 @@ def scene(pair_style, prefix, more="", bonds=False):
     """five particles of two types that overlap, some of them bonded"""
     script = scripts.box(20, types=2) + scripts.particles(CLUSTER)
     script += f"bond_style potdem/truss\nbond_coeff * {E} area factor {A}\n" if bonds else "bond_style none\n"
-    script += f"pair_style {pair_style}\n" + "".join(f"pair_coeff {types} {prefix}{values}\n" for types, values in COEFFS) + more
+    script += f"pair_style {pair_style}\n"
+    script += "".join(f"pair_coeff {types} {prefix}{values}\n" for types, values in COEFFS) + more
     if bonds:
         script += "group left id 1 3 5\npotdem_bonds left 1 1.05\n"
     return script + scripts.velocities_by_formula(1.0) + """
@@ -74,6 +76,7 @@ def test_hybrid_restart(run_lammps, tmp_path):
     script = scene("hybrid/overlay potdem/truss zero 2.0", "potdem/truss ", "pair_coeff * * zero\n", bonds=True)
     coeffs = "".join(line + "\n" for line in script.splitlines() if line.startswith("pair_coeff"))
     whole, _ = end(run_lammps, tmp_path, script.replace("run 100", "run 50\nwrite_restart half.restart\nrun 50"))
-    again, _ = end(run_lammps, tmp_path, "read_restart half.restart\n" + coeffs + "fix move all nve\ntimestep 0.0005\nrun 50\n" +
+    settings = "fix move all nve\ntimestep 0.0005\nrun 50\n"
+    again, _ = end(run_lammps, tmp_path, "read_restart half.restart\n" + coeffs + settings +
                    scripts.write_dump("end.dump", "x y z vx vy vz fx fy fz"))
     assert np.abs(again - whole).max() < 1e-12 * np.abs(whole).max()

@@ -66,7 +66,8 @@ def test_tiled_domains_that_move(run_lammps, tmp_path):
 def test_newton_makes_no_difference(run_lammps, tmp_path, newton, nprocs):
     """against the setting that potdem_bonds makes by itself, with contacts between two bodies"""
     def script(setting):
-        text = body(setting) + "region low block INF INF INF INF INF 0\ngroup low region low\ngroup high subtract all low\n"
+        text = body(setting)
+        text += "region low block INF INF INF INF INF 0\ngroup low region low\ngroup high subtract all low\n"
         text += "potdem_bonds low 1 1.42\npotdem_bonds high 1 1.42\n"
         return text + vibrate(more="velocity high set 0 0 -1 sum yes")
 
@@ -154,7 +155,8 @@ def test_a_run_in_pieces(run_lammps, tmp_path, nprocs):
 def test_contact_distance_travels_with_the_pair(run_lammps, tmp_path, nprocs):
     """a pair fails while it overlaps and then drifts through a periodic box and its ranks, held together by
     nothing: no force between the distance of failure and the mean diameter, the same on any number of ranks"""
-    script = scripts.box((12, 6, 6), "p p p") + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0)]) + scripts.elastic()
+    script = scripts.box((12, 6, 6), "p p p") + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0)])
+    script += scripts.elastic()
     script += """potdem_bonds all 1 0.9
 fix failure all potdem/failure 1 compression 60
 fix move all nve
@@ -172,7 +174,8 @@ run 10000
 """
     # at the same speed they stay where they parted; at the end they are pushed together again
     script += scripts.result("f_failure") + "set atom 1 x 0 y 0 z 0\nset atom 2 x 0.79 y 0 z 0\nrun 0\n"
-    script += scripts.result("f_failure", "fx[2]", "evdwl") + "set atom 2 x 0.5\nrun 0\n" + scripts.result("fx[2]", "evdwl", "f_failure")
+    script += scripts.result("f_failure", "fx[2]", "evdwl") + "set atom 2 x 0.5\nrun 0\n"
+    script += scripts.result("fx[2]", "evdwl", "f_failure")
     kinds = scripts.results_by_length(run_lammps(script, nprocs=nprocs).stdout)
     assert kinds[1][0][0] == 1
     between, inside = kinds[3]
@@ -186,7 +189,8 @@ run 10000
 def test_a_bond_across_the_boundary_breaks_once(run_lammps, tmp_path, nprocs):
     """two particles on either side of a periodic boundary, which is a boundary between ranks too"""
     script = scripts.box((10, 6, 6), "p p p") + scripts.particles([(4.6, 0, 0, 1.0), (-4.4, 0, 0, 1.0)])
-    script += scripts.elastic() + "potdem_bonds all 1 1.5\nfix failure all potdem/failure 1 tension 50.0\nfix 1 all nve\n"
+    script += scripts.elastic()
+    script += "potdem_bonds all 1 1.5\nfix failure all potdem/failure 1 tension 50.0\nfix 1 all nve\n"
     script += "velocity all set 0 0 0\ngroup two id 2\nvelocity two set 4 0 0\ntimestep 0.0005\nthermo 10\n"
     script += "thermo_style custom step f_failure bonds pe\nthermo_modify format float %.17g\n"
     script += scripts.write_dump("start.dump", "x y z")

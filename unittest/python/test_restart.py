@@ -65,15 +65,18 @@ def test_elastic_body_periodic_and_parallel(run_lammps, tmp_path):
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_in_the_middle_of_breaking(run_lammps, tmp_path, nprocs):
     """some bonds are gone, some will go: counts, energy and the special lists continue"""
-    setup = SETUP + "potdem_bonds all 1 1.42\nvelocity all ramp vz -1.2 1.2 z -4 4\nvelocity all ramp vx -0.1 0.12 y -1.5 1.5 sum yes\n"
-    run = compare(run_lammps, tmp_path, setup, commands("tension 3.0 compression 5.0"), 45, 60, again_on=(1, 2), nprocs=nprocs)
+    setup = SETUP + "potdem_bonds all 1 1.42\nvelocity all ramp vz -1.2 1.2 z -4 4\n"
+    setup += "velocity all ramp vx -0.1 0.12 y -1.5 1.5 sum yes\n"
+    settings = commands("tension 3.0 compression 5.0")
+    run = compare(run_lammps, tmp_path, setup, settings, 45, 60, again_on=(1, 2), nprocs=nprocs)
     step, broken = run.thermo["Step"], run.thermo["f_failure"]
     assert 0 < broken[step == 45][0] < broken[-1]
 
 
 def overlapped_pair():
     """two particles bonded at 0.8 diameters and thrown at each other: the bond fails in compression"""
-    return scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0)]) + scripts.elastic(1000.0, "factor 0.5") + f"""
+    script = scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (0.8, 0, 0, 1.0)])
+    return script + scripts.elastic(1000.0, "factor 0.5") + """
 potdem_bonds all 1 1.0
 group two id 2
 velocity all set 1.5 0.1 0
@@ -97,7 +100,8 @@ def test_contact_distance_survives(run_lammps, tmp_path, nprocs):
 def test_failed_overlapping_pair_is_force_free_after_a_restart(run_lammps, tmp_path):
     """between the distance of failure and the mean diameter there is no force: without the memory there would be"""
     settings = commands("compression 60").replace("timestep 0.01", "timestep 1e-4")
-    script = overlapped_pair() + settings + "run 500\nwrite_restart half.restart\n" + scripts.result("x[2]-x[1]", "fx[2]", "f_failure")
+    script = overlapped_pair() + settings + "run 500\nwrite_restart half.restart\n"
+    script += scripts.result("x[2]-x[1]", "fx[2]", "f_failure")
     distance, force, broken = scripts.results(run_lammps(script).stdout)[0]
     for r in (0.795, 0.3):
         again = "read_restart half.restart\n" + settings + f"set atom 1 x 0 y 0 z 0\nset atom 2 x {r} y 0 z 0\nrun 0\n"
@@ -119,9 +123,11 @@ def test_data_file_keeps_the_body(run_lammps, tmp_path):
     writing, so a body at rest stays at rest"""
     setup = SETUP + "potdem_bonds all 1 1.42\n" + commands() + "run 0\nwrite_data body.data\n" + scripts.result("bonds")
     bonds = scripts.results(run_lammps(setup).stdout)[0][0]
-    again = "units si\nnewton on off\natom_style bpm/sphere\nboundary f f f\nneighbor 0.3 bin\nbond_style potdem/truss\n"
+    again = "units si\nnewton on off\natom_style bpm/sphere\nboundary f f f\nneighbor 0.3 bin\n"
+    again += "bond_style potdem/truss\n"
     again += "pair_style potdem/truss\nspecial_bonds lj 0 1 1 coul 0 1 1\nread_data body.data\npair_coeff * * 100 0.4\n"
-    again += commands() + "run 0\n" + scripts.result("bonds", "pe") + "change_box all x scale 1.01 remap units box\nrun 0\n"
+    again += commands() + "run 0\n" + scripts.result("bonds", "pe")
+    again += "change_box all x scale 1.01 remap units box\nrun 0\n"
     again += scripts.result("bonds", "pe")
     (count, energy), (_, strained) = scripts.results(run_lammps(again).stdout)
     assert count == bonds

@@ -87,7 +87,8 @@ def test_bond_dashpot_takes_the_energy_of_an_oscillator(run_lammps):
     script = pair_of() + scripts.elastic(E, f"factor {A}", f"damping {xi}") + "potdem_bonds all 1 1.2\n"
     omega = np.sqrt(E * scripts.section(1.0, A) / (0.5 * scripts.sphere_mass(1.0)))
     period = 2 * np.pi / (omega * np.sqrt(1 - xi**2))
-    script += f"displace_atoms all move 0 0 0\nset atom 2 x {1 + strain:.17g}\nfix 1 all nve\ntimestep {period / 2000:.17g}\n"
+    script += f"displace_atoms all move 0 0 0\nset atom 2 x {1 + strain:.17g}\nfix 1 all nve\n"
+    script += f"timestep {period / 2000:.17g}\n"
     script += outputs() + "run 4000\n" + scripts.result("x[2]-x[1]-1")
     left = scripts.results(run_lammps(script).stdout)[0][0]
     # two periods; the step's error is (2 pi/2000)^2 ~ 1e-5, that of the nonlinear strain 1e-5
@@ -131,7 +132,8 @@ def test_contact_of_two_materials(run_lammps):
 
 def test_contact_through_single(run_lammps):
     """compute pair/local takes single(), the thermo output the loop"""
-    script = pair_of(1.0, 1.4, 1.0) + f"bond_style none\npair_style potdem/truss\npair_coeff * * {E} {A} penetration 2\n"
+    script = pair_of(1.0, 1.4, 1.0)
+    script += f"bond_style none\npair_style potdem/truss\npair_coeff * * {E} {A} penetration 2\n"
     script += "compute p all pair/local eng force\ncompute s all reduce sum c_p[1] c_p[2] inputs local\n"
     script += outputs("c_s[1]", "c_s[2]") + "run 0\n" + scripts.result("evdwl", "fx[2]", "c_s[1]", "c_s[2]")
     energy, force, local_energy, local_force = scripts.results(run_lammps(script).stdout)[0]
@@ -142,7 +144,8 @@ def test_contact_through_single(run_lammps):
 def sliding(run_lammps, friction, velocity, r=0.9, step=1e-4):
     """forces on both particles of an overlapping pair, the second moving"""
     v = " ".join(f"{k:.17g}" for k in velocity)
-    script = pair_of(1.0, 1.0, r) + f"bond_style none\npair_style potdem/truss\npair_coeff * * {E} {A} friction {friction}\n"
+    script = pair_of(1.0, 1.0, r)
+    script += f"bond_style none\npair_style potdem/truss\npair_coeff * * {E} {A} friction {friction}\n"
     script += f"velocity all set 0 0 0\ngroup two id 2\nvelocity two set {v}\ntimestep {step:.17g}\n" + outputs()
     script += "run 0\n" + scripts.result(*(f"f{k}[{i}]" for i in (1, 2) for k in "xyz"))
     row = scripts.results(run_lammps(script).stdout)[0]
@@ -330,7 +333,8 @@ def test_wall_in_a_corner(run_lammps):
 def test_wall_of_a_rotating_drum(run_lammps):
     """the surface under the particle moves with omega x foot"""
     omega, eta = 0.5, 0.01
-    script = on_wall(0.45, options=f"friction 0.35 {eta}", region="cylinder y 0.3 3.0 3.0 INF INF rotate v_shift 0.3 0 3.0 0 1 0",
+    script = on_wall(0.45, options=f"friction 0.35 {eta}",
+                     region="cylinder y 0.3 3.0 3.0 INF INF rotate v_shift 0.3 0 3.0 0 1 0",
                      step=1e-3, shift=f"{omega}*time", lines="run 2\n" + WALL_RESULT)
     row = scripts.results(run_lammps(script).stdout)[0]
     velocity = np.cross([0, omega, 0], [0, 0, -3.0])
