@@ -121,6 +121,12 @@ void BondPotdemTruss::init_style()
         FLERR,
         "bond_style potdem/truss needs newton off for bonds: make the bonds with potdem_bonds, "
         "or put 'newton on off' before the box is created");
+  const double *lj = force->special_lj, *coul = force->special_coul;
+  if (lj[1] != 0.0 || lj[2] != 1.0 || lj[3] != 1.0 || coul[2] != 1.0 || coul[3] != 1.0)
+    error->all(FLERR,
+               "bond_style potdem/truss needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds "
+               "sets it: "
+               "bonded pairs do not touch, all others do");
   bond_store = PotdemBondStore::ensure(lmp);
   bond_store->turn_off_failed();
   generation = -1;

@@ -91,14 +91,10 @@ void FixPotdemFailure::init()
   bond->set_strength(btype, tension, compression);
 }
 
-// unlike its base class, it works with bonded pairs left out of the neighbour list altogether
+// unlike its base class, it works with bonded pairs left out of the neighbour list altogether (the bond
+// style checks the weights), and a bond that set-up finds overstretched fails before the first step
 void FixPotdemFailure::setup(int /*vflag*/)
 {
-  if (force->special_lj[1] != 0.0 || force->special_lj[2] != 1.0 || force->special_lj[3] != 1.0)
-    error->all(
-        FLERR,
-        "Fix potdem/failure {} needs 'special_bonds lj 0 1 1 coul 0 1 1', as potdem_bonds sets it",
-        id);
   agree();
 }
 

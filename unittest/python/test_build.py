@@ -62,6 +62,18 @@ def test_plugin_is_found_by_path(root, build, run_lammps, monkeypatch):
     assert plugin_list(run_lammps("plugin list\n")) == set(styles(root))
 
 
+def test_plugin_and_built_in_styles_give_the_same_numbers(root, build, run_lammps):
+    """a breaking beam, 0.01 s: same sources and compiler options, so every digit"""
+    scene = root / "examples" / "beam-impact" / "in.beam-impact"
+    script = f"variable speed index 5\nvariable time index 0.01\nvariable picture index no\ninclude {scene}\n"
+    built_in = run_lammps(script)
+    plugin = run_lammps(f"plugin load {build}/potdemplugin.so\n{script}")
+    assert "Overriding built-in bond style potdem/truss" in one_line(plugin.stdout)
+    assert built_in.thermo["v_broken"][-1] > 0
+    for column, values in built_in.thermo.items():
+        assert (plugin.thermo[column] == values).all(), column
+
+
 def test_plugin_for_another_version_is_refused(build, run_lammps):
     run = run_lammps(f"plugin load {build}/unittest/potdemplugin_wrongversion.so\nplugin list\n")
     host = re.search(r"LAMMPS \((\d+ \w+ \d+)", run.stdout).group(1)
