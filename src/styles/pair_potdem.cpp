@@ -134,6 +134,21 @@ double PairPotdemBase::contact_distance(int i, int j, double dbar) const
   return bond_store->contact_distance(i, atom->tag[j], dbar);
 }
 
+// friction on i from the relative velocity of the centres across del = x_i - x_j
+void PairPotdemBase::slide(int i, int j, const POTDEM::Friction &friction, double normal,
+                           const double *del, double r2, double *drag) const
+{
+  const double *vi = atom->v[i], *vj = atom->v[j];
+  const double u[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
+  const double along = (u[0] * del[0] + u[1] * del[1] + u[2] * del[2]) / r2;
+  const double t[3] = {u[0] - along * del[0], u[1] - along * del[1], u[2] - along * del[2]};
+  const double speed = sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+  const double mi = atom->rmass[i], mj = atom->rmass[j];
+  const double eta = friction.viscosity(mi * mj / (mi + mj), update->dt);
+  const double b = speed > 0.0 ? friction.factor(speed, normal, eta) : 0.0;
+  for (int k = 0; k < 3; k++) drag[k] = -b * t[k];
+}
+
 void PairPotdemBase::collapsed(int i, int j, double r2) const
 {
   error->one(

@@ -49,6 +49,8 @@ class PairPotdemBase : public Pair {
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
   void mix_friction(int i, int j);
   double contact_distance(int i, int j, double dbar) const;
+  void slide(int i, int j, const POTDEM::Friction &, double normal, const double *del, double r2,
+             double *drag) const;
   [[noreturn]] void collapsed(int i, int j, double r2) const;
 
   // the style's part

@@ -5,8 +5,8 @@
 
 #include "pair_potdem_truss.h"
 
-#include "pair_potdem_loop.h"
 #include "potdem_input.h"
+#include "potdem_pair_loop.h"
 
 using namespace LAMMPS_NS;
 

@@ -5,8 +5,8 @@
 
 /* The loop over pairs, once for every law. */
 
-#ifndef LMP_PAIR_POTDEM_LOOP_H
-#define LMP_PAIR_POTDEM_LOOP_H
+#ifndef LMP_POTDEM_PAIR_LOOP_H
+#define LMP_POTDEM_PAIR_LOOP_H
 
 #include "pair_potdem.h"
 
@@ -84,18 +84,12 @@ template <class Law> template <bool SLIDE, bool EV> void PairPotdem<Law>::loop()
       const double push = weight * law.force / r;
       double px = push * dx, py = push * dy, pz = push * dz;
       if (SLIDE && friction[pair].mu > 0.0 && law.force > 0.0) {
-        const double ux = v[i][0] - v[j][0], uy = v[i][1] - v[j][1], uz = v[i][2] - v[j][2];
-        const double along = (ux * dx + uy * dy + uz * dz) / r2;
-        const double tx = ux - along * dx, ty = uy - along * dy, tz = uz - along * dz;
-        const double speed = sqrt(tx * tx + ty * ty + tz * tz);
-        if (speed > 0.0) {
-          const double mi = atom->rmass[i], mj = atom->rmass[j];
-          const double eta = friction[pair].viscosity(mi * mj / (mi + mj), update->dt);
-          const double b = friction[pair].factor(speed, weight * law.force, eta);
-          px -= b * tx;
-          py -= b * ty;
-          pz -= b * tz;
-        }
+        const double del[3] = {dx, dy, dz};
+        double drag[3];
+        slide(i, j, friction[pair], weight * law.force, del, r2, drag);
+        px += drag[0];
+        py += drag[1];
+        pz += drag[2];
       }
 
       f[i][0] += px;
