@@ -14,16 +14,9 @@
 #ifndef POTDEM_HERTZ_WALL_H
 #define POTDEM_HERTZ_WALL_H
 
-#include "evaluation.h"
-
-#include <cmath>
+#include "hertz.h"
 
 namespace POTDEM {
-
-inline double contact_modulus(double Ei, double nui, double Ej, double nuj)
-{
-  return 1.0 / ((1.0 - nui * nui) / Ei + (1.0 - nuj * nuj) / Ej);
-}
 
 struct HertzWall {
   double modulus;    // Ebar
@@ -36,20 +29,17 @@ struct HertzWall {
   {
     const double K = 4.0 / 3.0 * modulus * std::sqrt(ri);
     const double gamma = thickness(ri);
-    const double hertz = K * w * std::sqrt(w);
-    const double below = w < gamma ? w : gamma;    // the part of the overlap inside the layer
-    const double full = gamma > 0.0 ? hertz_energy(K, gamma) * layer_share() : 0.0;
+    auto at = hertz(w, K);
     if (w < gamma) {
       const double chi = root(w / gamma);
-      return {hertz_energy(K, w) * chi * layer_share(), hertz * chi,
-              (1.5 + 1.0 / m) * K * std::sqrt(w) * chi};
+      return {at.energy * chi * layer_share(), at.force * chi,
+              at.stiffness * chi * (1.0 + 1.0 / (1.5 * m))};
     }
-    return {full + hertz_energy(K, w) - hertz_energy(K, below), hertz, 1.5 * K * std::sqrt(w)};
+    if (gamma > 0.0) at.energy -= hertz(gamma, K).energy * (1.0 - layer_share());
+    return at;
   }
 
  private:
-  static double hertz_energy(double K, double w) { return 0.4 * K * w * w * std::sqrt(w); }
-
   // integral of w^(3/2 + 1/m) over that of w^(3/2)
   double layer_share() const { return 2.5 / (2.5 + 1.0 / m); }
 

@@ -27,12 +27,6 @@ inline double truss_section(double dbar)
   return 0.25 * M_PI * dbar * dbar;
 }
 
-// modulus of two half trusses of different materials in series (eq. 3.8)
-inline double series_modulus(double Ei, double Ej)
-{
-  return 2.0 * Ei * Ej / (Ei + Ej);
-}
-
 // strain from q = (r/re)^2
 inline double truss_strain(double q)
 {

@@ -10,11 +10,14 @@
 #ifndef POTDEM_TRUSS_CONTACT_H
 #define POTDEM_TRUSS_CONTACT_H
 
+#include "pairing.h"
 #include "truss.h"
 
 namespace POTDEM {
 
 struct TrussContact {
+  static constexpr bool touching = true, rated = false;
+
   double E, a;
   int m;
   int normalized;
@@ -24,15 +27,17 @@ struct TrussContact {
     bool hindered;
     Penetration factor;
 
-    Evaluation evaluate(double r, double dbar, double dref) const
+    static constexpr double core(const Pairing &) { return 0.0; }
+
+    Evaluation evaluate(double r, const Pairing &pair) const
     {
-      if (r >= dref) return {0.0, 0.0, 0.0};
-      const double modulus = stress * truss_section(dbar);
-      return hindered ? truss(r, dref, modulus, factor) : truss(r, dref, modulus);
+      if (r >= pair.contact) return {0.0, 0.0, 0.0};
+      const double modulus = stress * truss_section(pair.dbar());
+      return hindered ? truss(r, pair.contact, modulus, factor) : truss(r, pair.contact, modulus);
     }
   };
 
-  Kernel kernel() const
+  Kernel kernel(bool /*shift*/) const
   {
     return {E * a, m > 0, m > 0 ? Penetration(m, normalized) : Penetration()};
   }

@@ -32,8 +32,7 @@ FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
 {
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
-  lambda = input.nonnegative("lambda");
-  if (lambda >= 1.0) input.fail(fmt::format("lambda = {} is out of range, it must be < 1", lambda));
+  lambda = input.fraction("lambda");
   while (!input.done()) {
     if (!input.next_is("form")) {
       input.word();

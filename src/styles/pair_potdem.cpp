@@ -25,9 +25,9 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
-    Pair(lmp), sliding(false), bond_store(nullptr), atom_types(0)
+    Pair(lmp), sliding(false), rotation(0), bond_store(nullptr), atom_types(0)
 {
-  writedata = 0;
+  writedata = 1;
   single_enable = 1;
 }
 
@@ -52,8 +52,15 @@ void PairPotdemBase::allocate()
 
 void PairPotdemBase::settings(int narg, char **arg)
 {
-  if (narg > 0)
-    error->all(FLERR, "pair_style {}: unknown keyword '{}', it takes none", name(), arg[0]);
+  PotdemInput input(lmp, fmt::format("pair_style {}", name()), narg, arg);
+  while (!input.done()) {
+    if (input.next_is("rotation"))
+      rotation = input.logical("rotation");
+    else if (!read_setting(input)) {
+      input.word();
+      input.unknown(setting_names());
+    }
+  }
 }
 
 void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &slide)
@@ -83,8 +90,12 @@ void PairPotdemBase::init_style()
   find_diameters();
   sliding = false;
   for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
-  if (sliding) comm->ghost_velocity = 1;
-  neighbor->add_request(this, NeighConst::REQ_SIZE);
+  if (rotation && !(atom->omega_flag && atom->torque_flag))
+    error->all(FLERR,
+               "pair_style {}: rotation needs an atom style with spin, e.g. atom_style sphere",
+               name());
+  if (needs_velocity()) comm->ghost_velocity = 1;
+  neighbor->add_request(this, touching() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
 }
 
 void PairPotdemBase::find_diameters()
@@ -134,29 +145,73 @@ double PairPotdemBase::contact_distance(int i, int j, double dbar) const
   return bond_store->contact_distance(i, atom->tag[j], dbar);
 }
 
-// friction on i from the relative velocity of the centres across del = x_i - x_j
-void PairPotdemBase::slide(int i, int j, const POTDEM::Friction &friction, double normal,
-                           const double *del, double r2, double *drag) const
+POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
 {
-  const double *vi = atom->v[i], *vj = atom->v[j];
-  const double u[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
-  const double along = (u[0] * del[0] + u[1] * del[1] + u[2] * del[2]) / r2;
-  const double t[3] = {u[0] - along * del[0], u[1] - along * del[1], u[2] - along * del[2]};
-  const double speed = sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-  const double mi = atom->rmass[i], mj = atom->rmass[j];
-  const double eta = friction.viscosity(mi * mj / (mi + mj), update->dt);
-  const double b = speed > 0.0 ? friction.factor(speed, normal, eta) : 0.0;
-  for (int k = 0; k < 3; k++) drag[k] = -b * t[k];
+  const double ri = atom->radius[i], rj = atom->radius[j];
+  return {ri, rj, contact_distance(i, j, ri + rj)};
 }
 
-void PairPotdemBase::collapsed(int i, int j, double r2) const
+void PairPotdemBase::collapsed(int i, int j, double r, double core) const
 {
-  error->one(
-      FLERR,
-      "pair_style {}: atoms {} and {} are {} apart on step {}: they are at the same place or their "
-      "positions are "
-      "not finite; use a smaller timestep, or keep them apart with 'penetration' in pair_coeff",
-      name(), atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
+  error->one(FLERR,
+             "pair_style {}: atoms {} and {} are {} apart on step {}, which is not beyond the "
+             "smallest distance {} of this "
+             "law (or their positions are not finite); use a smaller timestep, or a law that "
+             "pushes harder",
+             name(), atom->tag[i], atom->tag[j], r, update->ntimestep, core);
+}
+
+/* ----------------------------------------------------------------------
+   velocities at the contact; with rotation the surfaces move, the arms reach to the contact
+------------------------------------------------------------------------- */
+
+double PairPotdemBase::rate(const Touch &touch) const
+{
+  const double *vi = atom->v[touch.i], *vj = atom->v[touch.j], *del = touch.del;
+  return ((vi[0] - vj[0]) * del[0] + (vi[1] - vj[1]) * del[1] + (vi[2] - vj[2]) * del[2]) / touch.r;
+}
+
+void PairPotdemBase::slide_velocity(const Touch &touch, double *u) const
+{
+  const double *vi = atom->v[touch.i], *vj = atom->v[touch.j], *del = touch.del;
+  const double along = rate(touch) / touch.r;
+  for (int k = 0; k < 3; k++) u[k] = vi[k] - vj[k] - along * del[k];
+  if (!rotation) return;
+  const double ri = atom->radius[touch.i], rj = atom->radius[touch.j];
+  double spin[3];
+  for (int k = 0; k < 3; k++)
+    spin[k] = (ri * atom->omega[touch.i][k] + rj * atom->omega[touch.j][k]) / (ri + rj);
+  u[0] -= spin[1] * del[2] - spin[2] * del[1];
+  u[1] -= spin[2] * del[0] - spin[0] * del[2];
+  u[2] -= spin[0] * del[1] - spin[1] * del[0];
+}
+
+// adds friction on i to push, and its torques
+void PairPotdemBase::slide(const Touch &touch, const POTDEM::Friction &friction, double normal,
+                           double *push)
+{
+  double u[3];
+  slide_velocity(touch, u);
+  const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  if (speed == 0.0) return;
+  const double mi = atom->rmass[touch.i], mj = atom->rmass[touch.j];
+  const double b =
+      friction.factor(speed, normal, friction.viscosity(mi * mj / (mi + mj), update->dt));
+  const double drag[3] = {-b * u[0], -b * u[1], -b * u[2]};
+  for (int k = 0; k < 3; k++) push[k] += drag[k];
+  if (rotation) twist(touch, drag);
+}
+
+void PairPotdemBase::twist(const Touch &touch, const double *drag)
+{
+  const double *del = touch.del, dbar = atom->radius[touch.i] + atom->radius[touch.j];
+  const double turn[3] = {drag[1] * del[2] - drag[2] * del[1], drag[2] * del[0] - drag[0] * del[2],
+                          drag[0] * del[1] - drag[1] * del[0]};    // drag x del
+  for (int k = 0; k < 3; k++) {
+    atom->torque[touch.i][k] += atom->radius[touch.i] / dbar * turn[k];
+    if (force->newton_pair || touch.j < atom->nlocal)
+      atom->torque[touch.j][k] += atom->radius[touch.j] / dbar * turn[k];
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -167,9 +222,7 @@ double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
   fforce = 0.0;
   const double dbar = atom->radius[i] + atom->radius[j], r = sqrt(rsq);
   if (r >= reach(itype, jtype, dbar)) return 0.0;
-  const double dref = i < atom->nlocal ? contact_distance(i, j, dbar)
-                                       : contact_distance(j, i, dbar);
-  const auto law = evaluate(at(itype, jtype), r, dbar, dref);
+  const auto law = evaluate(at(itype, jtype), r, i < atom->nlocal ? pairing(i, j) : pairing(j, i));
   fforce = factor_lj * law.force / r;
   return factor_lj * law.energy;
 }
@@ -178,6 +231,9 @@ double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
 
 template <class Action> void PairPotdemBase::for_each_coeff(Action action)
 {
+  action(&rotation, sizeof(int));
+  action(&offset_flag, sizeof(int));
+  action(&mix_flag, sizeof(int));
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       action(&setflag[i][j], sizeof(int));
@@ -200,4 +256,27 @@ void PairPotdemBase::read_restart(FILE *fp)
     if (comm->me == 0) utils::sfread(FLERR, data, size, 1, fp, nullptr, error);
     MPI_Bcast(data, size, MPI_BYTE, 0, world);
   });
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairPotdemBase::write_coeff(FILE *fp, const std::string &types, int pair) const
+{
+  const auto &slide = friction[pair];
+  std::string line = types + " " + coeff_text(pair);
+  if (slide.mu > 0.0)
+    line += fmt::format(" friction {:.17g} {}", slide.mu,
+                        slide.automatic ? "auto" : fmt::format("{:.17g}", slide.eta));
+  utils::print(fp, "{}\n", line);
+}
+
+void PairPotdemBase::write_data(FILE *fp)
+{
+  for (int i = 1; i <= atom->ntypes; i++) write_coeff(fp, std::to_string(i), at(i, i));
+}
+
+void PairPotdemBase::write_data_all(FILE *fp)
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) write_coeff(fp, fmt::format("{} {}", i, j), at(i, j));
 }

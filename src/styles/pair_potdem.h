@@ -3,27 +3,33 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* What the pair styles of this package share: friction, diameters, neighbour list, restart, and the one
-   loop over pairs. A style derives from PairPotdem<Law> and reads and mixes its own coefficients.
+/* What the pair styles of this package share: friction, rotation, diameters, neighbour list, restart, and the
+   one loop over pairs (potdem_pair_loop.h). A style derives from PairPotdem<Law> and reads, mixes and prints
+   its own coefficients.
 
    A Law is a trivially copyable struct of coefficients (laws/) with
-     using Kernel = ...;                       the law made ready for the loop, built once per init
-     Kernel kernel() const;
-     static double reach(double dbar);         interaction distance for mean diameter dbar
-   and a Kernel has evaluate(r, dbar, dref) -> Evaluation, where dref is the contact distance: dbar,
-   or less for a pair whose bond failed while it overlapped. */
+     Kernel kernel(bool shift) const           the law made ready for the loop, once per init
+     double reach(double dbar) const           interaction distance for mean diameter dbar
+     touching                                  reach is dbar: the short neighbour list by diameters will do
+     rated                                     Kernel has with_rate(force, r, pairing, dr/dt)
+   and a Kernel has evaluate(r, pairing) -> Evaluation and core(pairing), the distance that must not be
+   reached. */
 
 #ifndef LMP_PAIR_POTDEM_H
 #define LMP_PAIR_POTDEM_H
 
 #include "laws/evaluation.h"
 #include "laws/friction.h"
+#include "laws/pairing.h"
 
 #include "pair.h"
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
+
+class PotdemInput;
 
 class PairPotdemBase : public Pair {
  public:
@@ -34,35 +40,54 @@ class PairPotdemBase : public Pair {
   double init_one(int, int) override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
+  void write_data(FILE *) override;
+  void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
 
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types
   std::vector<double> largest_radius;        // per type
   bool sliding;                              // any friction at all
-  class PotdemBondStore *bond_store;         // null: no bonds in this simulation
+  int rotation;
+  class PotdemBondStore *bond_store;    // null: no bonds in this simulation
 
   int at(int itype, int jtype) const { return itype * (atom_types + 1) + jtype; }
   int atom_types;
 
   virtual void allocate();
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
-  void mix_friction(int i, int j);
   double contact_distance(int i, int j, double dbar) const;
-  void slide(int i, int j, const POTDEM::Friction &, double normal, const double *del, double r2,
-             double *drag) const;
-  [[noreturn]] void collapsed(int i, int j, double r2) const;
+  POTDEM::Pairing pairing(int i, int j) const;
+
+  // two particles that slide on each other: del = x_i - x_j, r its length
+  struct Touch {
+    int i, j;
+    const double *del;
+    double r;
+  };
+  double rate(const Touch &) const;    // dr/dt
+  void slide(const Touch &, const POTDEM::Friction &, double normal, double *drag);
+  [[noreturn]] void collapsed(int i, int j, double r, double core) const;
 
   // the style's part
   virtual const char *name() const = 0;
+  virtual bool read_setting(PotdemInput &) { return false; }
+  virtual const char *setting_names() const { return "rotation"; }
   virtual void mix(int i, int j) = 0;
+  virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
+  virtual bool touching() const = 0;
+  virtual bool needs_velocity() const = 0;
   virtual double reach(int i, int j, double dbar) const = 0;
-  virtual POTDEM::Evaluation evaluate(int pair, double r, double dbar, double dref) const = 0;
+  virtual POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &) const = 0;
   virtual void *coeff_data(int pair) = 0;
   virtual std::size_t coeff_size() const = 0;
 
  private:
   void find_diameters();
+  void mix_friction(int i, int j);
+  void slide_velocity(const Touch &, double *u) const;
+  void twist(const Touch &, const double *drag);
+  void write_coeff(FILE *, const std::string &types, int pair) const;
   template <class Action> void for_each_coeff(Action);
 };
 
@@ -70,7 +95,6 @@ template <class Law> class PairPotdem : public PairPotdemBase {
  public:
   using PairPotdemBase::PairPotdemBase;
   void compute(int, int) override;
-  void init_style() override;
   double init_one(int, int) override;
 
  protected:
@@ -79,16 +103,19 @@ template <class Law> class PairPotdem : public PairPotdemBase {
 
   void allocate() override;
   void set_laws(int ilo, int ihi, int jlo, int jhi, const Law &, const POTDEM::Friction &);
+  bool touching() const override { return Law::touching; }
+  bool needs_velocity() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }
-  POTDEM::Evaluation evaluate(int pair, double r, double dbar, double dref) const override
+  POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &pairing) const override
   {
-    return kernels[pair].evaluate(r, dbar, dref);
+    return kernels[pair].evaluate(r, pairing);
   }
   void *coeff_data(int pair) override { return &laws[pair]; }
   std::size_t coeff_size() const override { return sizeof(Law); }
 
  private:
-  template <bool SLIDE, bool EV> void loop();
+  template <bool EV> void choose();
+  template <bool SLIDE, bool RATE, bool EV> void loop();
 };
 
 }    // namespace LAMMPS_NS

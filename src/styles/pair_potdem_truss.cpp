@@ -19,8 +19,7 @@ void PairPotdemTruss::coeff(int narg, char **arg)
   if (!allocated) allocate();
   PotdemInput input(lmp, "pair_coeff potdem/truss", narg, arg);
   int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, input.word(), 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, input.word(), 1, atom->ntypes, jlo, jhi, error);
+  input.type_ranges(ilo, ihi, jlo, jhi);
   POTDEM::TrussContact law{};
   POTDEM::Friction slide;
   law.E = input.positive("E");
@@ -43,10 +42,19 @@ void PairPotdemTruss::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
   if (a.m != b.m || a.normalized != b.normalized)
-    error->all(
-        FLERR,
-        "pair_style potdem/truss: types {} and {} have different 'penetration', which cannot be "
-        "mixed; give pair_coeff {} {} explicitly",
-        i, j, i, j);
+    error->all(FLERR,
+               "pair_style potdem/truss: types {} and {} have different 'penetration', which "
+               "cannot be mixed; give "
+               "pair_coeff {} {} explicitly",
+               i, j, i, j);
   laws[at(i, j)] = {POTDEM::series_modulus(a.E, b.E), 0.5 * (a.a + b.a), a.m, a.normalized};
+}
+
+std::string PairPotdemTruss::coeff_text(int pair) const
+{
+  const auto &law = laws[pair];
+  std::string text = fmt::format("{:.17g} {:.17g}", law.E, law.a);
+  if (law.m > 0)
+    text += fmt::format(" penetration {}{}", law.m, law.normalized ? " normalized" : "");
+  return text;
 }

@@ -19,6 +19,7 @@ class PairPotdemTruss : public PairPotdem<POTDEM::TrussContact> {
  protected:
   const char *name() const override { return "potdem/truss"; }
   void mix(int i, int j) override;
+  std::string coeff_text(int pair) const override;
 };
 
 }    // namespace LAMMPS_NS

@@ -67,15 +67,27 @@ double PotdemInput::number(const std::string &name)
 
 double PotdemInput::positive(const std::string &name)
 {
-  const double value = number(name);
-  if (value <= 0.0) range(name, value, "> 0");
-  return value;
+  return above(name, 0.0);
 }
 
 double PotdemInput::nonnegative(const std::string &name)
 {
   const double value = number(name);
   if (value < 0.0) range(name, value, ">= 0");
+  return value;
+}
+
+double PotdemInput::above(const std::string &name, double bound)
+{
+  const double value = number(name);
+  if (value <= bound) range(name, value, fmt::format("> {}", bound));
+  return value;
+}
+
+double PotdemInput::fraction(const std::string &name)
+{
+  const double value = number(name);
+  if (value < 0.0 || value >= 1.0) range(name, value, ">= 0 and < 1");
   return value;
 }
 
@@ -92,6 +104,20 @@ int PotdemInput::whole(const std::string &name, int most)
   if (value != std::floor(value) || value < 1 || value > most)
     range(name, value, fmt::format("a whole number from 1 to {}", most));
   return static_cast<int>(value);
+}
+
+bool PotdemInput::logical(const std::string &name)
+{
+  const std::string text = word();
+  if (text != "yes" && text != "no")
+    fail(fmt::format("{} must be yes or no, not '{}'", name, text));
+  return text == "yes";
+}
+
+void PotdemInput::type_ranges(int &ilo, int &ihi, int &jlo, int &jhi)
+{
+  utils::bounds(FLERR, word(), 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, word(), 1, atom->ntypes, jlo, jhi, error);
 }
 
 int PotdemInput::bond_type()

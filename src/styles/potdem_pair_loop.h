@@ -14,7 +14,6 @@
 #include "error.h"
 #include "force.h"
 #include "neigh_list.h"
-#include "update.h"
 
 #include <cmath>
 
@@ -24,6 +23,7 @@ template <class Law> void PairPotdem<Law>::allocate()
 {
   PairPotdemBase::allocate();
   laws.assign(friction.size(), Law{});
+  kernels.resize(laws.size());
 }
 
 template <class Law>
@@ -35,33 +35,42 @@ void PairPotdem<Law>::set_laws(int ilo, int ihi, int jlo, int jhi, const Law &la
   set_coeff(ilo, ihi, jlo, jhi, slide);
 }
 
-template <class Law> void PairPotdem<Law>::init_style()
-{
-  PairPotdemBase::init_style();
-  kernels.resize(laws.size());
-}
-
 template <class Law> double PairPotdem<Law>::init_one(int i, int j)
 {
   const double cutoff = PairPotdemBase::init_one(i, j);
   laws[at(j, i)] = laws[at(i, j)];
-  kernels[at(i, j)] = kernels[at(j, i)] = laws[at(i, j)].kernel();
+  kernels[at(i, j)] = kernels[at(j, i)] = laws[at(i, j)].kernel(offset_flag != 0);
   return cutoff;
+}
+
+template <class Law> bool PairPotdem<Law>::needs_velocity() const
+{
+  if constexpr (Law::rated)
+    for (const auto &law : laws)
+      if (law.H > 0.0) return true;
+  return sliding;
 }
 
 template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
-  if (sliding)
-    evflag ? loop<true, true>() : loop<true, false>();
-  else
-    evflag ? loop<false, true>() : loop<false, false>();
+  evflag ? choose<true>() : choose<false>();
+  if (vflag_fdotr) virial_fdotr_compute();
 }
 
-template <class Law> template <bool SLIDE, bool EV> void PairPotdem<Law>::loop()
+// the smallest kernel that the coefficients need
+template <class Law> template <bool EV> void PairPotdem<Law>::choose()
+{
+  const bool rated = Law::rated && needs_velocity();
+  if (sliding)
+    rated ? loop<true, Law::rated, EV>() : loop<true, false, EV>();
+  else
+    rated ? loop<false, Law::rated, EV>() : loop<false, false, EV>();
+}
+
+template <class Law> template <bool SLIDE, bool RATE, bool EV> void PairPotdem<Law>::loop()
 {
   const auto *const x = (const double(*)[3]) atom->x[0];
-  const auto *const v = (const double(*)[3]) atom->v[0];
   auto *const f = (double(*)[3]) atom->f[0];
   const double *const radius = atom->radius;
   const int *const type = atom->type;
@@ -73,37 +82,35 @@ template <class Law> template <bool SLIDE, bool EV> void PairPotdem<Law>::loop()
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = jlist[jj] & NEIGHMASK, pair = at(itype, type[j]);
       const double weight = force->special_lj[sbmask(jlist[jj])];
-      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      const double r2 = dx * dx + dy * dy + dz * dz;
-      const double dbar = radius[i] + radius[j], reach = laws[pair].reach(dbar);
+      const double del[3] = {x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]};
+      const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
+      const double reach = laws[pair].reach(radius[i] + radius[j]);
       if (r2 >= reach * reach || weight == 0.0) continue;
 
-      if (!(r2 > 0.0)) collapsed(i, j, r2);    // true for NaN as well
       const double r = sqrt(r2);
-      const auto law = kernels[pair].evaluate(r, dbar, contact_distance(i, j, dbar));
-      const double push = weight * law.force / r;
-      double px = push * dx, py = push * dy, pz = push * dz;
-      if (SLIDE && friction[pair].mu > 0.0 && law.force > 0.0) {
-        const double del[3] = {dx, dy, dz};
-        double drag[3];
-        slide(i, j, friction[pair], weight * law.force, del, r2, drag);
-        px += drag[0];
-        py += drag[1];
-        pz += drag[2];
-      }
+      const auto partners = pairing(i, j);
+      const double core = kernels[pair].core(partners);
+      if (!(r > core)) collapsed(i, j, r, core);    // true for NaN as well
+      const auto law = kernels[pair].evaluate(r, partners);
+      const Touch touch{i, j, del, r};
+      double normal = law.force;
+      if constexpr (RATE)
+        if (r < partners.contact)
+          normal = kernels[pair].with_rate(law.force, r, partners, rate(touch));
+      normal *= weight;
 
-      f[i][0] += px;
-      f[i][1] += py;
-      f[i][2] += pz;
-      if (newton || j < nlocal) {
-        f[j][0] -= px;
-        f[j][1] -= py;
-        f[j][2] -= pz;
-      }
-      if (EV) ev_tally_xyz(i, j, nlocal, newton, weight * law.energy, 0.0, px, py, pz, dx, dy, dz);
+      double push[3] = {normal / r * del[0], normal / r * del[1], normal / r * del[2]};
+      if (SLIDE && friction[pair].mu > 0.0 && normal > 0.0)
+        slide(touch, friction[pair], normal, push);
+
+      for (int k = 0; k < 3; k++) f[i][k] += push[k];
+      if (newton || j < nlocal)
+        for (int k = 0; k < 3; k++) f[j][k] -= push[k];
+      if (EV)
+        ev_tally_xyz(i, j, nlocal, newton, weight * law.energy, 0.0, push[0], push[1], push[2],
+                     del[0], del[1], del[2]);
     }
   }
-  if (vflag_fdotr) virial_fdotr_compute();
 }
 
 }    // namespace LAMMPS_NS

@@ -4,6 +4,9 @@
 
 // clang-format off
 #ifdef PAIR_CLASS
+PairStyle(potdem/granular,PairPotdemGranular);
+PairStyle(potdem/hertz,PairPotdemHertz);
+PairStyle(potdem/lj,PairPotdemLJ);
 PairStyle(potdem/truss,PairPotdemTruss);
 #elif defined(BOND_CLASS)
 BondStyle(potdem/truss,BondPotdemTruss);
@@ -25,6 +28,9 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #include "fix_potdem_damping.h"
 #include "fix_potdem_failure.h"
 #include "fix_potdem_wall_region.h"
+#include "pair_potdem_granular.h"
+#include "pair_potdem_hertz.h"
+#include "pair_potdem_lj.h"
 #include "pair_potdem_truss.h"
 #include "potdem_bond_store.h"
 #include "potdem_bonds.h"

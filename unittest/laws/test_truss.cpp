@@ -1,3 +1,4 @@
+#include "laws/pairing.h"
 #include "laws/truss.h"
 
 #include "reference.h"

@@ -1,0 +1,32 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#ifndef LMP_PAIR_POTDEM_HERTZ_H
+#define LMP_PAIR_POTDEM_HERTZ_H
+
+#include "laws/hertz.h"
+#include "pair_potdem.h"
+
+namespace LAMMPS_NS {
+
+class PairPotdemHertz : public PairPotdem<POTDEM::Hertz> {
+ public:
+  using PairPotdem::PairPotdem;
+  void coeff(int, char **) override;
+
+ protected:
+  const char *name() const override { return "potdem/hertz"; }
+  bool read_setting(PotdemInput &) override;
+  const char *setting_names() const override { return "rotation or attract"; }
+  void mix(int i, int j) override;
+  std::string coeff_text(int pair) const override;
+
+ private:
+  int attract = 0;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
