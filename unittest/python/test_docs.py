@@ -133,6 +133,7 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
     keywords = re.findall(r'next_is\("(\w+)"\)', text)
     # those that potdem_input.cpp reads for several styles
     keywords += ["auto"] * ("input.friction()" in text) + ["normalized"] * ("input.penetration(" in text)
+    keywords += ["rotation"] * (kind == "pair")
     page = page_of(kind, name).read_text(encoding="utf-8")
     syntax = section(page, "Syntax")
     assert [word for word in keywords if not re.search(rf"\b{word}\b", syntax)] == []
