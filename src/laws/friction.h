@@ -2,7 +2,10 @@
 
    u: sliding velocity, F: normal force, eta: mass per time, mu: dimensionless. T is exactly zero at
    u = 0. The pure Coulomb form of 5.27 is the limit eta -> infinity; it reverses the sliding within a
-   step. `automatic` is the largest eta with which a single contact cannot: effective mass / step. */
+   step. `automatic` is the largest eta with which a single contact cannot: effective mass / step.
+   At a wall all other forces on the particle are known, and `automatic` means the force that brings the
+   particle to rest within the step (`stop`), as far as mu |F| allows: it holds a particle at rest
+   without creep. */
 
 #ifndef POTDEM_FRICTION_H
 #define POTDEM_FRICTION_H
@@ -19,6 +22,13 @@ struct Friction {
   double viscosity(double effective_mass, double step) const
   {
     return automatic ? effective_mass / step : eta;
+  }
+
+  // Coulomb friction against a force `stop` that would end the sliding within the step: its share
+  double share(double stop, double normal_force) const
+  {
+    const double limit = mu * std::fabs(normal_force);
+    return stop <= limit ? 1.0 : limit / stop;
   }
 
   // the factor b of T = -b u

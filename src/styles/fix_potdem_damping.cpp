@@ -11,10 +11,7 @@
 #include "potdem_input.h"
 
 #include "atom.h"
-#include "error.h"
-#include "modify.h"
 
-#include <cctype>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -54,25 +51,10 @@ int FixPotdemDamping::setmask()
   return POST_FORCE;
 }
 
-/* ----------------------------------------------------------------------
-   it must see every other force; LAMMPS's own bookkeeping fixes (upper case) add none
-------------------------------------------------------------------------- */
-
 void FixPotdemDamping::init()
 {
   potdem_refuse_respa(lmp, "fix potdem/damping");
-  bool after = false;
-  for (const auto &other : modify->get_fix_list()) {
-    if (other == this) {
-      after = true;
-    } else if (after && (other->setmask() & POST_FORCE) && !isupper(other->style[0])) {
-      error->all(FLERR,
-                 "Fix potdem/damping {} acts on the total force, but fix {} ({}) comes after it "
-                 "and may change "
-                 "the force; define fix {} last",
-                 id, other->id, other->style, id);
-    }
-  }
+  potdem_require_last(lmp, this, "acts on the total force", "");
 }
 
 void FixPotdemDamping::setup(int vflag)

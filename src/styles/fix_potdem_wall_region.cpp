@@ -92,6 +92,9 @@ void FixPotdemWallRegion::init()
                "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or "
                "bpm/sphere",
                id);
+  if (friction.mu > 0.0 && friction.automatic)
+    potdem_require_last(lmp, this, "balances the other forces on a particle ('friction auto')",
+                        "^potdem/");
   if (friction.mu > 0.0)
     kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true>
                              : &FixPotdemWallRegion::push_all<true, false>;
@@ -153,7 +156,7 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
   const double n[3] = {contact.delx / r, contact.dely / r, contact.delz / r};
   const auto at = law.evaluate(w, ri);
 
-  double normal = at.force, sliding[3] = {0.0, 0.0, 0.0}, b = 0.0;
+  double normal = at.force, drag[3] = {0.0, 0.0, 0.0};
   if (SLIDE || VISCOUS) {
     double wall[3];
     region->velocity_contact(wall, atom->x[i], c);
@@ -161,16 +164,13 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
     const double leaving = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
     if (VISCOUS) normal = std::fmax(0.0, normal - at.force / w * viscosity * leaving);
     if (SLIDE) {
-      for (int k = 0; k < 3; k++) sliding[k] = u[k] - leaving * n[k];
-      const double speed =
-          sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
-      if (speed > 0.0)
-        b = friction.factor(speed, normal, friction.viscosity(atom->rmass[i], update->dt));
+      const double sliding[3] = {u[0] - leaving * n[0], u[1] - leaving * n[1],
+                                 u[2] - leaving * n[2]};
+      rub(i, n, normal, sliding, drag);
     }
   }
 
-  const double f[3] = {normal * n[0] - b * sliding[0], normal * n[1] - b * sliding[1],
-                       normal * n[2] - b * sliding[2]};
+  const double f[3] = {normal * n[0] + drag[0], normal * n[1] + drag[1], normal * n[2] + drag[2]};
   const double del[3] = {contact.delx, contact.dely, contact.delz};
   double foot[3];
   for (int k = 0; k < 3; k++) {
@@ -187,6 +187,25 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
                         f[0] * del[1], f[0] * del[2], f[1] * del[2]};
     v_tally(i, virial);
   }
+}
+
+// friction of particle i on a wall with normal n
+void FixPotdemWallRegion::rub(int i, const double *n, double normal, const double *sliding,
+                              double *drag) const
+{
+  const double speed =
+      sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
+  if (!friction.automatic) {
+    const double b = speed > 0.0 ? friction.factor(speed, normal, friction.eta) : 0.0;
+    for (int k = 0; k < 3; k++) drag[k] = -b * sliding[k];
+    return;
+  }
+  const double *f = atom->f[i], mass_over_step = atom->rmass[i] / update->dt;
+  const double pressed = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
+  for (int k = 0; k < 3; k++) drag[k] = -mass_over_step * sliding[k] - (f[k] - pressed * n[k]);
+  const double stop = sqrt(drag[0] * drag[0] + drag[1] * drag[1] + drag[2] * drag[2]);
+  const double share = friction.share(stop, normal);
+  for (int k = 0; k < 3; k++) drag[k] *= share;
 }
 
 /* ---------------------------------------------------------------------- */

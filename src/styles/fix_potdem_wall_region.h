@@ -43,6 +43,7 @@ class FixPotdemWallRegion : public Fix {
   void read(int, char **);
   template <bool SLIDE, bool VISCOUS> void push_all();
   template <bool SLIDE, bool VISCOUS> void push(int i, int contact);
+  void rub(int i, const double *n, double normal, const double *sliding, double *drag) const;
   double sum(int);
 };
 

@@ -22,6 +22,9 @@
 
 using namespace LAMMPS_NS;
 
+// what a tangential force at the surface of a solid sphere accelerates there, over its mass: spin adds r^2/I
+static constexpr double SPHERE_SLIDING_MASS = 2.0 / 7.0;
+
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
@@ -195,8 +198,8 @@ void PairPotdemBase::slide(const Touch &touch, const POTDEM::Friction &friction,
   const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
   if (speed == 0.0) return;
   const double mi = atom->rmass[touch.i], mj = atom->rmass[touch.j];
-  const double b =
-      friction.factor(speed, normal, friction.viscosity(mi * mj / (mi + mj), update->dt));
+  const double mass = mi * mj / (mi + mj) * (rotation ? SPHERE_SLIDING_MASS : 1.0);
+  const double b = friction.factor(speed, normal, friction.viscosity(mass, update->dt));
   const double drag[3] = {-b * u[0], -b * u[1], -b * u[2]};
   for (int k = 0; k < 3; k++) push[k] += drag[k];
   if (rotation) twist(touch, drag);

@@ -49,7 +49,7 @@ void PairPotdemHertz::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
   laws[at(i, j)] = {0.0, 0.0, POTDEM::contact_modulus(a.E, a.nu, b.E, b.nu), 0.5 * (a.H + b.H),
-                    attract};
+                    a.attract || b.attract};
 }
 
 // a mixed pair is written as two equal materials that have its contact modulus

@@ -7,6 +7,8 @@
 
 #include "atom.h"
 #include "error.h"
+#include "fix.h"
+#include "modify.h"
 #include "update.h"
 
 #include <cmath>
@@ -19,6 +21,23 @@ void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
 {
   if (utils::strmatch(lmp->update->integrate_style, "^respa"))
     lmp->error->all(FLERR, "{} works with run_style verlet only, not with respa", command);
+}
+
+void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &reason,
+                                    const std::string &may_follow)
+{
+  bool after = false;
+  for (const auto &other : lmp->modify->get_fix_list()) {
+    const bool harmless = isupper(other->style[0]) ||
+        (!may_follow.empty() && utils::strmatch(other->style, may_follow));
+    if (other == fix)
+      after = true;
+    else if (after && (other->setmask() & FixConst::POST_FORCE) && !harmless)
+      lmp->error->all(FLERR,
+                      "Fix {} {} {}, but fix {} ({}) comes after it and may change the force; "
+                      "define fix {} last",
+                      fix->style, fix->id, reason, other->id, other->style, fix->id);
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -19,6 +19,11 @@ namespace LAMMPS_NS {
 // run_style respa would leave these styles out of its levels, or out altogether
 void potdem_refuse_respa(LAMMPS *lmp, const std::string &command);
 
+// error if a fix that is defined after this one may change forces, which this one must see: all but LAMMPS's
+// own bookkeeping (upper case) and the styles that `may_follow` (a pattern) names
+void potdem_require_last(LAMMPS *lmp, class Fix *fix, const std::string &reason,
+                         const std::string &may_follow);
+
 class PotdemInput : protected Pointers {
  public:
   // command: how the errors name the place, e.g. "fix potdem/damping"
