@@ -10,6 +10,7 @@
 #include "laws/truss.h"
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
+#include "potdem_ledger.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -40,7 +41,8 @@ static double distance2(const double *a, const double *b)
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
     Bond(lmp), breakable(false), hindered(false), damped(false), bond_store(nullptr),
-    generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
+    ledger(nullptr), generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr),
+    tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -129,6 +131,7 @@ void BondPotdemTruss::init_style()
                "bonded pairs do not touch, all others do");
   bond_store = PotdemBondStore::ensure(lmp);
   bond_store->turn_off_failed();
+  ledger = PotdemLedger::find(lmp);
   generation = -1;
 
   hindered = damped = breakable = false;
@@ -224,7 +227,8 @@ void BondPotdemTruss::pack()
       if (j >= atom->nlocal) check_reach(i, j, re);
       if (damped) {
         const double mi = atom->rmass[i], mj = atom->rmass[j];
-        bonds.dashpot[k] = 2.0 * coeffs[type].xi * sqrt(modulus / re * mi * mj / (mi + mj));
+        bonds.dashpot[k] =
+            2.0 * coeffs[type].xi * sqrt(modulus / re * force->mvv2e * mi * mj / (mi + mj));
       }
     }
   }
@@ -434,9 +438,12 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
       double pull = half_modulus[n] * (q - 1.0) * inverse_r;
       if (HINDER && coeffs[type[n]].m > 0) pull *= factors[type[n]].value(sqrt(q));
       if (EV) tally(i, j, n, q, pull, dx, dy, dz);
-      if (DAMP)
-        pull += bonds.dashpot[n] * inverse_r * inverse_r *
+      if (DAMP) {
+        const double damp = bonds.dashpot[n] * inverse_r * inverse_r *
             ((v[j][0] - v[i][0]) * dx + (v[j][1] - v[i][1]) * dy + (v[j][2] - v[i][2]) * dz);
+        if (ledger) note(i, j, damp * dx, damp * dy, damp * dz);
+        pull += damp;
+      }
 
       const double px = pull * dx, py = pull * dy, pz = pull * dz;
       fx += px;
@@ -452,6 +459,13 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
     f[i][1] += fy;
     f[i][2] += fz;
   }
+}
+
+// viscous force on i; the rank of a ghost notes its own
+void BondPotdemTruss::note(int i, int j, double fx, double fy, double fz)
+{
+  ledger->add(PotdemLedger::VISCOUS, i, fx, fy, fz);
+  if (j < atom->nlocal) ledger->add(PotdemLedger::VISCOUS, j, -fx, -fy, -fz);
 }
 
 void BondPotdemTruss::collapsed(int i, int j, double r2) const

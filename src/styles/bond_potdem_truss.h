@@ -71,6 +71,7 @@ class BondPotdemTruss : public Bond {
   std::vector<Overstretched> over;
 
   class PotdemBondStore *bond_store;
+  class PotdemLedger *ledger;    // null: no compute potdem/energy
   int generation;
   double longest, cutghost_own;
 
@@ -93,6 +94,7 @@ class BondPotdemTruss : public Bond {
   void choose_kernels();
   template <bool HINDER, bool DAMP> void choose();
   template <bool EV, bool FAIL, bool HINDER, bool DAMP> void kernel();
+  void note(int i, int j, double fx, double fy, double fz);
   [[noreturn]] void collapsed(int i, int j, double r2) const;
   void tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz);
 };

@@ -9,6 +9,7 @@
 #include "fix_potdem_damping.h"
 
 #include "potdem_input.h"
+#include "potdem_ledger.h"
 
 #include "atom.h"
 
@@ -25,7 +26,7 @@ static double sign(double value)
 /* ---------------------------------------------------------------------- */
 
 FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), lambda(0.0), by_component(false)
+    Fix(lmp, narg, arg), lambda(0.0), by_component(false), ledger(nullptr)
 {
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
@@ -54,6 +55,7 @@ int FixPotdemDamping::setmask()
 void FixPotdemDamping::init()
 {
   potdem_refuse_respa(lmp, "fix potdem/damping");
+  ledger = PotdemLedger::find(lmp);
   potdem_require_last(lmp, this, "acts on the total force", "");
 }
 
@@ -67,12 +69,13 @@ void FixPotdemDamping::post_force(int /*vflag*/)
   double **v = atom->v, **f = atom->f;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    if (by_component) {
-      for (int k = 0; k < 3; k++) f[i][k] -= lambda * fabs(f[i][k]) * sign(v[i][k]);
-    } else {
-      const double s =
-          1.0 - lambda * sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
-      for (int k = 0; k < 3; k++) f[i][k] *= s;
+    double drag[3];
+    const double s = by_component ? 0.0
+                                  : sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
+    for (int k = 0; k < 3; k++) {
+      drag[k] = -lambda * (by_component ? fabs(f[i][k]) * sign(v[i][k]) : s * f[i][k]);
+      f[i][k] += drag[k];
     }
+    if (ledger) ledger->add(PotdemLedger::DAMPING, i, drag[0], drag[1], drag[2]);
   }
 }

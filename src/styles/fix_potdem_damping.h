@@ -21,6 +21,7 @@ class FixPotdemDamping : public Fix {
  private:
   double lambda;
   bool by_component;
+  class PotdemLedger *ledger;    // null: no compute potdem/energy
 };
 
 }    // namespace LAMMPS_NS

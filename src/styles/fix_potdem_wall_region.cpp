@@ -8,10 +8,12 @@
 #include "fix_potdem_wall_region.h"
 
 #include "potdem_input.h"
+#include "potdem_ledger.h"
 
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "force.h"
 #include "region.h"
 #include "update.h"
 
@@ -30,8 +32,9 @@ static constexpr double LAYER_EXPONENT = 2.0;
 ------------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), region(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT},
-    viscosity(0.0), mine(), total(), summed(false), kernel(nullptr)
+    Fix(lmp, narg, arg), region(nullptr),
+    ledger(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT}, viscosity(0.0), mine(), total(),
+    summed(false), kernel(nullptr)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -84,6 +87,7 @@ int FixPotdemWallRegion::setmask()
 void FixPotdemWallRegion::init()
 {
   potdem_refuse_respa(lmp, "fix potdem/wall/region");
+  ledger = PotdemLedger::find(lmp);
   region = domain->get_region_by_id(region_id);
   if (!region)
     error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
@@ -156,10 +160,9 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
   const double n[3] = {contact.delx / r, contact.dely / r, contact.delz / r};
   const auto at = law.evaluate(w, ri);
 
-  double normal = at.force, drag[3] = {0.0, 0.0, 0.0};
+  double normal = at.force, drag[3] = {0.0, 0.0, 0.0}, wall[3] = {0.0, 0.0, 0.0};
+  if (SLIDE || VISCOUS || ledger) region->velocity_contact(wall, atom->x[i], c);
   if (SLIDE || VISCOUS) {
-    double wall[3];
-    region->velocity_contact(wall, atom->x[i], c);
     const double u[3] = {atom->v[i][0] - wall[0], atom->v[i][1] - wall[1], atom->v[i][2] - wall[2]};
     const double leaving = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
     if (VISCOUS) normal = std::fmax(0.0, normal - at.force / w * viscosity * leaving);
@@ -169,6 +172,7 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
       rub(i, n, normal, sliding, drag);
     }
   }
+  if (ledger) book(i, n, normal - at.force, drag, normal, wall);
 
   const double f[3] = {normal * n[0] + drag[0], normal * n[1] + drag[1], normal * n[2] + drag[2]};
   const double del[3] = {contact.delx, contact.dely, contact.delz};
@@ -189,6 +193,19 @@ template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
   }
 }
 
+// viscous force along n and drag are dissipative; where the wall moves, part of their work is the wall's
+void FixPotdemWallRegion::book(int i, const double *n, double viscous, const double *drag,
+                               double normal, const double *wall)
+{
+  const double along = n[0] * wall[0] + n[1] * wall[1] + n[2] * wall[2];
+  const double across = drag[0] * wall[0] + drag[1] * wall[1] + drag[2] * wall[2];
+  ledger->add(PotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
+  ledger->add(PotdemLedger::FRICTION, i, drag[0], drag[1], drag[2]);
+  ledger->add_slip(PotdemLedger::VISCOUS, viscous * along);
+  ledger->add_slip(PotdemLedger::FRICTION, across);
+  ledger->add_wall(normal * along + across);
+}
+
 // friction of particle i on a wall with normal n
 void FixPotdemWallRegion::rub(int i, const double *n, double normal, const double *sliding,
                               double *drag) const
@@ -200,7 +217,7 @@ void FixPotdemWallRegion::rub(int i, const double *n, double normal, const doubl
     for (int k = 0; k < 3; k++) drag[k] = -b * sliding[k];
     return;
   }
-  const double *f = atom->f[i], mass_over_step = atom->rmass[i] / update->dt;
+  const double *f = atom->f[i], mass_over_step = force->mvv2e * atom->rmass[i] / update->dt;
   const double pressed = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
   for (int k = 0; k < 3; k++) drag[k] = -mass_over_step * sliding[k] - (f[k] - pressed * n[k]);
   const double stop = sqrt(drag[0] * drag[0] + drag[1] * drag[1] + drag[2] * drag[2]);

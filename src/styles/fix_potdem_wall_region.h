@@ -30,6 +30,7 @@ class FixPotdemWallRegion : public Fix {
  private:
   std::string region_id;
   class Region *region;
+  class PotdemLedger *ledger;    // null: no compute potdem/energy
   POTDEM::HertzWall law;
   POTDEM::Friction friction;
   double viscosity;    // H of eq. 5.17, time
@@ -44,6 +45,8 @@ class FixPotdemWallRegion : public Fix {
   template <bool SLIDE, bool VISCOUS> void push_all();
   template <bool SLIDE, bool VISCOUS> void push(int i, int contact);
   void rub(int i, const double *n, double normal, const double *sliding, double *drag) const;
+  void book(int i, const double *n, double viscous, const double *drag, double normal,
+            const double *wall);
   double sum(int);
 };
 

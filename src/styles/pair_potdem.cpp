@@ -7,6 +7,7 @@
 
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
+#include "potdem_ledger.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -28,7 +29,7 @@ static constexpr double SPHERE_SLIDING_MASS = 2.0 / 7.0;
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
-    Pair(lmp), sliding(false), rotation(0), bond_store(nullptr), atom_types(0)
+    Pair(lmp), sliding(false), rotation(0), ledger(nullptr), bond_store(nullptr), atom_types(0)
 {
   writedata = 1;
   single_enable = 1;
@@ -90,6 +91,7 @@ void PairPotdemBase::init_style()
                name());
   // after a restart the pair style is the first to ask for it
   bond_store = force->bond_match("potdem/truss") ? PotdemBondStore::ensure(lmp) : nullptr;
+  ledger = PotdemLedger::find(lmp);
   find_diameters();
   sliding = false;
   for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
@@ -189,6 +191,14 @@ void PairPotdemBase::slide_velocity(const Touch &touch, double *u) const
   u[2] -= spin[0] * del[1] - spin[1] * del[0];
 }
 
+void PairPotdemBase::note(int kind, const Touch &touch, double fx, double fy, double fz)
+{
+  if (!ledger) return;
+  ledger->add(static_cast<PotdemLedger::Kind>(kind), touch.i, fx, fy, fz);
+  if (force->newton_pair || touch.j < atom->nlocal)
+    ledger->add(static_cast<PotdemLedger::Kind>(kind), touch.j, -fx, -fy, -fz);
+}
+
 // adds friction on i to push, and its torques
 void PairPotdemBase::slide(const Touch &touch, const POTDEM::Friction &friction, double normal,
                            double *push)
@@ -199,9 +209,11 @@ void PairPotdemBase::slide(const Touch &touch, const POTDEM::Friction &friction,
   if (speed == 0.0) return;
   const double mi = atom->rmass[touch.i], mj = atom->rmass[touch.j];
   const double mass = mi * mj / (mi + mj) * (rotation ? SPHERE_SLIDING_MASS : 1.0);
-  const double b = friction.factor(speed, normal, friction.viscosity(mass, update->dt));
+  const double b =
+      friction.factor(speed, normal, friction.viscosity(force->mvv2e * mass, update->dt));
   const double drag[3] = {-b * u[0], -b * u[1], -b * u[2]};
   for (int k = 0; k < 3; k++) push[k] += drag[k];
+  note(PotdemLedger::FRICTION, touch, drag[0], drag[1], drag[2]);
   if (rotation) twist(touch, drag);
 }
 
@@ -210,6 +222,13 @@ void PairPotdemBase::twist(const Touch &touch, const double *drag)
   const double *del = touch.del, dbar = atom->radius[touch.i] + atom->radius[touch.j];
   const double turn[3] = {drag[1] * del[2] - drag[2] * del[1], drag[2] * del[0] - drag[0] * del[2],
                           drag[0] * del[1] - drag[1] * del[0]};    // drag x del
+  if (ledger) {
+    const double si = atom->radius[touch.i] / dbar, sj = atom->radius[touch.j] / dbar;
+    const double ti[3] = {si * turn[0], si * turn[1], si * turn[2]};
+    const double tj[3] = {sj * turn[0], sj * turn[1], sj * turn[2]};
+    ledger->add_torque(touch.i, ti);
+    if (force->newton_pair || touch.j < atom->nlocal) ledger->add_torque(touch.j, tj);
+  }
   for (int k = 0; k < 3; k++) {
     atom->torque[touch.i][k] += atom->radius[touch.i] / dbar * turn[k];
     if (force->newton_pair || touch.j < atom->nlocal)

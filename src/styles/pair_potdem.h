@@ -49,6 +49,7 @@ class PairPotdemBase : public Pair {
   std::vector<double> largest_radius;        // per type
   bool sliding;                              // any friction at all
   int rotation;
+  class PotdemLedger *ledger;           // null: no compute potdem/energy
   class PotdemBondStore *bond_store;    // null: no bonds in this simulation
 
   int at(int itype, int jtype) const { return itype * (atom_types + 1) + jtype; }
@@ -65,7 +66,8 @@ class PairPotdemBase : public Pair {
     const double *del;
     double r;
   };
-  double rate(const Touch &) const;    // dr/dt
+  double rate(const Touch &) const;                                       // dr/dt
+  void note(int kind, const Touch &, double fx, double fy, double fz);    // dissipative force on i
   void slide(const Touch &, const POTDEM::Friction &, double normal, double *drag);
   [[noreturn]] void collapsed(int i, int j, double r, double core) const;
 

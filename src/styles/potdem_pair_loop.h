@@ -9,6 +9,7 @@
 #define LMP_POTDEM_PAIR_LOOP_H
 
 #include "pair_potdem.h"
+#include "potdem_ledger.h"
 
 #include "atom.h"
 #include "error.h"
@@ -95,8 +96,11 @@ template <class Law> template <bool SLIDE, bool RATE, bool EV> void PairPotdem<L
       const Touch touch{i, j, del, r};
       double normal = law.force;
       if constexpr (RATE)
-        if (r < partners.contact)
+        if (r < partners.contact) {
           normal = kernels[pair].with_rate(law.force, r, partners, rate(touch));
+          const double viscous = weight * (normal - law.force) / r;
+          note(PotdemLedger::VISCOUS, touch, viscous * del[0], viscous * del[1], viscous * del[2]);
+        }
       normal *= weight;
 
       double push[3] = {normal / r * del[0], normal / r * del[1], normal / r * del[2]};

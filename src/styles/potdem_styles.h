@@ -15,7 +15,9 @@ FixStyle(potdem/damping,FixPotdemDamping);
 FixStyle(potdem/failure,FixPotdemFailure);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
+FixStyle(POTDEM_LEDGER,PotdemLedger);
 #elif defined(COMPUTE_CLASS)
+ComputeStyle(potdem/energy,ComputePotdemEnergy);
 ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
 #elif defined(COMMAND_CLASS)
 CommandStyle(potdem_bonds,PotdemBonds);
@@ -24,6 +26,7 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #ifndef LMP_POTDEM_STYLES_H
 #define LMP_POTDEM_STYLES_H
 #include "bond_potdem_truss.h"
+#include "compute_potdem_energy.h"
 #include "compute_potdem_strain_atom.h"
 #include "fix_potdem_damping.h"
 #include "fix_potdem_failure.h"
@@ -34,5 +37,6 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #include "pair_potdem_truss.h"
 #include "potdem_bond_store.h"
 #include "potdem_bonds.h"
+#include "potdem_ledger.h"
 #endif
 #endif

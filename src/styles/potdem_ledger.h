@@ -1,0 +1,73 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What the dissipative forces have taken out of the system. Styles note their dissipative force on each
+   particle while they compute it; at the end of the step, when the velocity of that instant is known, its
+   work is booked. Velocity Verlet applies the force of a step half before and half after it, so the sum
+   is the trapezoidal rule: second order in the step. Exists only where compute potdem/energy does; the
+   styles then find it at init. */
+
+#ifndef LMP_POTDEM_LEDGER_H
+#define LMP_POTDEM_LEDGER_H
+
+#include "fix.h"
+
+#include <array>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PotdemLedger : public Fix {
+ public:
+  enum Kind { FRICTION, VISCOUS, DAMPING, NKINDS };
+
+  static PotdemLedger *find(LAMMPS *);
+
+  PotdemLedger(LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  void setup(int) override;
+  void end_of_step() override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  void add(Kind kind, int i, double fx, double fy, double fz)
+  {
+    auto &force = forces[i];
+    force[3 * kind] += fx;
+    force[3 * kind + 1] += fy;
+    force[3 * kind + 2] += fz;
+  }
+
+  void add_torque(int i, const double *torque)    // of friction
+  {
+    for (int k = 0; k < 3; k++) forces[i][3 * NKINDS + k] += torque[k];
+  }
+
+  // a wall that moves with velocity u pushes with f: its work, and what of it is friction or viscous heat
+  void add_wall(double power) { wall_power += power; }
+  void add_slip(Kind kind, double power) { slip_power[kind] += power; }
+
+  // totals over all ranks
+  double heat(Kind kind) const { return booked[kind]; }
+  double wall_work() const { return booked[NKINDS]; }
+
+ private:
+  static constexpr int WIDTH = 3 * NKINDS + 3;
+  std::vector<std::array<double, WIDTH>> forces;    // owned and ghost particles
+  double wall_power, slip_power[NKINDS];
+  std::array<double, NKINDS + 1> booked, rate;    // rate: power of the latest step
+
+  std::array<double, NKINDS + 1> powers();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
