@@ -58,8 +58,8 @@ def peak(values):
 @pytest.mark.parametrize("start", [0.1, 0.5, 0.9])
 def test_hertz_collision(run_lammps, speed, start):
     """duration and largest overlap to 0.1 %, hence the largest force to 0.15 %, at a tenth of the critical step,
-    wherever within a step the contact begins. The critical step is 2/omega with omega^2 = 2 max(k/m) as the model bounds it; leapfrog
-    shortens a period by (omega step)^2/24 of the pair's own omega"""
+    wherever within a step the contact begins. The critical step is 2/omega with omega^2 = 2 max(k/m) as the model
+    bounds it; leapfrog shortens a period by (omega step)^2/24 of the pair's own omega"""
     w = overlap_at_rest(speed)
     omega = np.sqrt(2 * 1.5 * K * np.sqrt(w) / min(MASSES))
     step = 0.1 * 2 / omega
@@ -357,3 +357,24 @@ def test_sliding_into_rolling(run_lammps):
     assert thermo["v_v"][half] == pytest.approx(speed - MU * G * t, rel=1e-3)
     # torque mu m g r over 2/5 m r^2
     assert thermo["v_wy"][half] == pytest.approx(2.5 * MU * G * t / (0.5 * D1), rel=1e-3)
+
+
+@pytest.mark.parametrize("rotation", ["no", "yes"])
+def test_friction_auto_never_reverses_the_sliding(run_lammps, rotation):
+    """below the Coulomb limit a single contact stops: with rotation what resists is only 2/7 of the reduced mass. The
+    arms are those of overlapping spheres, 0.99 of the radii: 2 % of the 5/7 of the slip are left after a step"""
+    script = scripts.box(20) + "bond_style none\n" + scripts.particles([(0, 0, 0, 1.0), (0.99, 0, 0, 1.0)])
+    script += f"pair_style potdem/hertz rotation {rotation}\npair_coeff * * 1000 0.3 friction 1000 auto\n"
+    script += """group two id 2
+velocity all set 0 0 0
+velocity two set 0 1e-6 0
+fix move all nve/sphere
+timestep 1e-4
+compute w all property/atom omegaz
+variable slip equal vy[2]-vy[1]-0.5*(C_w[1]+C_w[2])*(x[2]-x[1])
+"""
+    script += 4 * ("run 1\n" + scripts.result("v_slip"))
+    slip = scripts.results(run_lammps(script.replace("run 1\n", "run 1 post no\n")).stdout)[:, 0]
+    assert np.all(slip > -1e-3 * 1e-6)
+    assert slip[0] < 0.6e-6    # half a kick at the start, as velocity Verlet has it
+    assert slip[-1] < 0.01e-6
