@@ -3,11 +3,11 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* Walls on LAMMPS regions (thesis 5.3); the law is laws/hertz_wall.h. */
+/* Walls on LAMMPS regions (thesis 5.3); the laws are laws/hertz_wall.h and laws/wall.h. */
 
 #include "fix_potdem_wall_region.h"
 
-#include "potdem_input.h"
+#include "potdem_law_input.h"
 #include "potdem_ledger.h"
 
 #include "atom.h"
@@ -27,14 +27,11 @@ using namespace FixConst;
 static constexpr double LAYER_OVER_RADIUS = 0.1;
 static constexpr double LAYER_EXPONENT = 2.0;
 
-/* ----------------------------------------------------------------------
-   REGION  E nu  particle E nu  [friction mu eta|auto] [layer gamma_over_r m | layer none] [viscous H]
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), region(nullptr),
-    ledger(nullptr), law{0.0, LAYER_OVER_RADIUS, LAYER_EXPONENT}, viscosity(0.0), mine(), total(),
-    summed(false), kernel(nullptr)
+    Fix(lmp, narg, arg), region(nullptr), ledger(nullptr), viscosity(0.0), mine(), total(),
+    summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -46,34 +43,77 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
   read(narg - 3, arg + 3);
 }
 
+/* ----------------------------------------------------------------------
+   REGION  E nu  particle E nu  [layer gamma_over_r m | layer none] [viscous H]  [friction mu eta|auto]
+   REGION  law lj|granular|truss  its coefficients and keywords as in pair_coeff  [friction mu eta|auto]
+------------------------------------------------------------------------- */
+
 void FixPotdemWallRegion::read(int narg, char **arg)
 {
   PotdemInput input(lmp, "fix potdem/wall/region", narg, arg);
   region_id = input.word();
   if (!domain->get_region_by_id(region_id))
     input.fail(fmt::format("there is no region '{}'", region_id));
+  if (!input.next_is("law")) {
+    read_hertz(input);
+  } else if (input.next_is("lj")) {
+    read_wall<POTDEM::ShiftedLJ>(input);
+  } else if (input.next_is("granular")) {
+    read_wall<POTDEM::RegularisedGranular>(input);
+  } else if (input.next_is("truss")) {
+    read_wall<POTDEM::TrussContact>(input);
+  } else {
+    input.word();
+    input.unknown("lj, granular or truss (Hertz is what E and nu without 'law' give)");
+  }
+}
+
+void FixPotdemWallRegion::read_hertz(PotdemInput &input)
+{
   const double Ewall = input.positive("E of the wall"), nuwall = input.poisson("nu of the wall");
   if (!input.next_is("particle"))
     input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of "
                "the wall");
   const double E = input.positive("particle E"), nu = input.poisson("particle nu");
-  law.modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
-  while (!input.done()) {
-    if (input.next_is("friction")) {
-      friction = input.friction();
-    } else if (input.next_is("viscous")) {
-      viscosity = input.nonnegative("viscous H");
-    } else if (input.next_is("layer")) {
-      law.layer = 0.0;
-      if (input.next_is("none")) continue;
-      law.layer = input.positive("layer gamma_over_r");
-      law.m = input.number("layer m");
-      if (law.m < 1.0)
-        input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", law.m));
-    } else {
-      input.word();
-      input.unknown("friction, layer or viscous");
-    }
+  const double modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
+  law = POTDEM::LayeredHertzWall{{modulus, LAYER_OVER_RADIUS, LAYER_EXPONENT}};
+  while (!input.done())
+    if (!read_hertz_option(input)) read_common(input, "layer or viscous");
+}
+
+bool FixPotdemWallRegion::read_hertz_option(PotdemInput &input)
+{
+  if (input.next_is("viscous")) {
+    viscosity = input.nonnegative("viscous H");
+    return true;
+  }
+  if (!input.next_is("layer")) return false;
+  auto &hertz = std::get<POTDEM::LayeredHertzWall>(law).law;
+  hertz.layer = 0.0;
+  if (input.next_is("none")) return true;
+  hertz.layer = input.positive("layer gamma_over_r");
+  hertz.m = input.number("layer m");
+  if (hertz.m < 1.0)
+    input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", hertz.m));
+  return true;
+}
+
+template <class Law> void FixPotdemWallRegion::read_wall(PotdemInput &input)
+{
+  Law coeffs{};
+  read_law(input, coeffs);
+  while (!input.done())
+    if (!read_option(input, coeffs)) read_common(input, option_names(coeffs));
+  law = POTDEM::LawWall<Law>{coeffs, coeffs.kernel(false)};
+}
+
+void FixPotdemWallRegion::read_common(PotdemInput &input, const char *names)
+{
+  if (input.next_is("friction")) {
+    friction = input.friction();
+  } else {
+    input.word();
+    input.unknown(fmt::format("friction or {}", names));
   }
 }
 
@@ -99,12 +139,6 @@ void FixPotdemWallRegion::init()
   if (friction.mu > 0.0 && friction.automatic)
     potdem_require_last(lmp, this, "balances the other forces on a particle ('friction auto')",
                         "^potdem/");
-  if (friction.mu > 0.0)
-    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<true, true>
-                             : &FixPotdemWallRegion::push_all<true, false>;
-  else
-    kernel = viscosity > 0.0 ? &FixPotdemWallRegion::push_all<false, true>
-                             : &FixPotdemWallRegion::push_all<false, false>;
 }
 
 void FixPotdemWallRegion::setup(int vflag)
@@ -129,44 +163,64 @@ void FixPotdemWallRegion::post_force(int vflag)
   summed = false;
   region->prematch();
   if (region->dynamic_check()) region->set_velocity();
-  (this->*kernel)();
+  std::visit(
+      [this](const auto &wall) {
+        push_with(wall);
+      },
+      law);
 }
 
 /* ---------------------------------------------------------------------- */
 
-template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push_all()
+// the smallest kernel that the keywords need
+template <class Wall> void FixPotdemWallRegion::push_with(const Wall &wall)
+{
+  const bool sliding = friction.mu > 0.0, viscous = Wall::viscous && viscosity > 0.0;
+  if (sliding)
+    viscous ? push_all<true, Wall::viscous>(wall) : push_all<true, false>(wall);
+  else
+    viscous ? push_all<false, Wall::viscous>(wall) : push_all<false, false>(wall);
+}
+
+template <bool SLIDE, bool VISCOUS, class Wall> void FixPotdemWallRegion::push_all(const Wall &wall)
 {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double *x = atom->x[i], ri = atom->radius[i];
     if (!region->match(x[0], x[1], x[2]))
-      error->one(
-          FLERR,
-          "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, {}) on "
-          "step "
-          "{}; use a smaller timestep, a stiffer wall, or start the particles inside the region",
-          id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
-    const int ncontact = region->surface(x[0], x[1], x[2], ri + law.thickness(ri));
-    for (int c = 0; c < ncontact; c++) push<SLIDE, VISCOUS>(i, c);
+      error->one(FLERR,
+                 "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
+                 "{}) on step {}; use "
+                 "a smaller timestep, a stiffer wall, or start the particles inside the region",
+                 id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+    const int ncontact = region->surface(x[0], x[1], x[2], wall.reach(ri));
+    for (int c = 0; c < ncontact; c++) push<SLIDE, VISCOUS>(i, c, wall);
   }
 }
 
-template <bool SLIDE, bool VISCOUS> void FixPotdemWallRegion::push(int i, int c)
+template <bool SLIDE, bool VISCOUS, class Wall>
+void FixPotdemWallRegion::push(int i, int c, const Wall &law)
 {
   const auto &contact = region->contact[c];
   const double ri = atom->radius[i], r = contact.r;
-  const double w = ri + law.thickness(ri) - r;
-  if (w <= 0.0 || r <= 0.0) return;
+  if (r >= law.reach(ri)) return;
+  if (!(r > law.core(ri)))
+    error->one(FLERR,
+               "Fix potdem/wall/region {}: atom {} is {} from the wall on step {}, which is not "
+               "beyond the smallest "
+               "distance {} of the law; use a smaller timestep or a law that pushes harder",
+               id, atom->tag[i], r, update->ntimestep, law.core(ri));
   const double n[3] = {contact.delx / r, contact.dely / r, contact.delz / r};
-  const auto at = law.evaluate(w, ri);
+  const auto at = law.evaluate(r, ri);
 
   double normal = at.force, drag[3] = {0.0, 0.0, 0.0}, wall[3] = {0.0, 0.0, 0.0};
   if (SLIDE || VISCOUS || ledger) region->velocity_contact(wall, atom->x[i], c);
   if (SLIDE || VISCOUS) {
     const double u[3] = {atom->v[i][0] - wall[0], atom->v[i][1] - wall[1], atom->v[i][2] - wall[2]};
     const double leaving = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
-    if (VISCOUS) normal = std::fmax(0.0, normal - at.force / w * viscosity * leaving);
-    if (SLIDE) {
+    if (VISCOUS)
+      normal = std::fmax(0.0, normal - at.force / (law.reach(ri) - r) * viscosity * leaving);
+    if (SLIDE && normal > 0.0) {
       const double sliding[3] = {u[0] - leaving * n[0], u[1] - leaving * n[1],
                                  u[2] - leaving * n[2]};
       rub(i, n, normal, sliding, drag);

@@ -7,11 +7,12 @@
 #define LMP_FIX_POTDEM_WALL_REGION_H
 
 #include "laws/friction.h"
-#include "laws/hertz_wall.h"
+#include "laws/wall.h"
 
 #include "fix.h"
 
 #include <string>
+#include <variant>
 
 namespace LAMMPS_NS {
 
@@ -31,19 +32,24 @@ class FixPotdemWallRegion : public Fix {
   std::string region_id;
   class Region *region;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
-  POTDEM::HertzWall law;
+  std::variant<POTDEM::LayeredHertzWall, POTDEM::LawWall<POTDEM::ShiftedLJ>,
+               POTDEM::LawWall<POTDEM::RegularisedGranular>, POTDEM::LawWall<POTDEM::TrussContact>>
+      law;
   POTDEM::Friction friction;
   double viscosity;    // H of eq. 5.17, time
 
   double mine[7], total[7];    // energy, force and torque of the particles on the wall
   bool summed;
 
-  typedef void (FixPotdemWallRegion::*Kernel)();
-  Kernel kernel;
-
   void read(int, char **);
-  template <bool SLIDE, bool VISCOUS> void push_all();
-  template <bool SLIDE, bool VISCOUS> void push(int i, int contact);
+  void read_hertz(class PotdemInput &);
+  bool read_hertz_option(class PotdemInput &);
+  template <class Law> void read_wall(class PotdemInput &);
+  void read_common(class PotdemInput &, const char *names);
+
+  template <class Wall> void push_with(const Wall &);
+  template <bool SLIDE, bool VISCOUS, class Wall> void push_all(const Wall &);
+  template <bool SLIDE, bool VISCOUS, class Wall> void push(int i, int contact, const Wall &);
   void rub(int i, const double *n, double normal, const double *sliding, double *drag) const;
   void book(int i, const double *n, double viscous, const double *drag, double normal,
             const double *wall);

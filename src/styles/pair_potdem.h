@@ -97,14 +97,16 @@ template <class Law> class PairPotdem : public PairPotdemBase {
  public:
   using PairPotdemBase::PairPotdemBase;
   void compute(int, int) override;
+  void coeff(int, char **) override;
   double init_one(int, int) override;
 
  protected:
   std::vector<Law> laws;
   std::vector<typename Law::Kernel> kernels;
 
+  virtual void prepare(Law &) const {}    // what pair_style itself says about a law
   void allocate() override;
-  void set_laws(int ilo, int ihi, int jlo, int jhi, const Law &, const POTDEM::Friction &);
+  std::string coeff_text(int pair) const override;
   bool touching() const override { return Law::touching; }
   bool needs_velocity() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }

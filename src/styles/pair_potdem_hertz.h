@@ -14,14 +14,13 @@ namespace LAMMPS_NS {
 class PairPotdemHertz : public PairPotdem<POTDEM::Hertz> {
  public:
   using PairPotdem::PairPotdem;
-  void coeff(int, char **) override;
 
  protected:
   const char *name() const override { return "potdem/hertz"; }
   bool read_setting(PotdemInput &) override;
   const char *setting_names() const override { return "rotation or attract"; }
+  void prepare(POTDEM::Hertz &law) const override { law.attract = attract; }
   void mix(int i, int j) override;
-  std::string coeff_text(int pair) const override;
 
  private:
   int attract = 0;

@@ -14,12 +14,10 @@ namespace LAMMPS_NS {
 class PairPotdemTruss : public PairPotdem<POTDEM::TrussContact> {
  public:
   using PairPotdem::PairPotdem;
-  void coeff(int, char **) override;
 
  protected:
   const char *name() const override { return "potdem/truss"; }
   void mix(int i, int j) override;
-  std::string coeff_text(int pair) const override;
 };
 
 }    // namespace LAMMPS_NS

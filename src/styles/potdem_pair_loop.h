@@ -9,6 +9,7 @@
 #define LMP_POTDEM_PAIR_LOOP_H
 
 #include "pair_potdem.h"
+#include "potdem_law_input.h"
 #include "potdem_ledger.h"
 
 #include "atom.h"
@@ -27,13 +28,36 @@ template <class Law> void PairPotdem<Law>::allocate()
   kernels.resize(laws.size());
 }
 
-template <class Law>
-void PairPotdem<Law>::set_laws(int ilo, int ihi, int jlo, int jhi, const Law &law,
-                               const POTDEM::Friction &slide)
+/* ----------------------------------------------------------------------
+   I J  the law's coefficients and keywords  [friction mu eta|auto]
+------------------------------------------------------------------------- */
+
+template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
 {
+  if (!allocated) allocate();
+  PotdemInput input(lmp, fmt::format("pair_coeff {}", name()), narg, arg);
+  int ilo, ihi, jlo, jhi;
+  input.type_ranges(ilo, ihi, jlo, jhi);
+  Law law{};
+  POTDEM::Friction slide;
+  read_law(input, law);
+  prepare(law);
+  while (!input.done()) {
+    if (input.next_is("friction")) {
+      slide = input.friction();
+    } else if (!read_option(input, law)) {
+      input.word();
+      input.unknown(fmt::format("{} or friction", option_names(law)));
+    }
+  }
   for (int i = ilo; i <= ihi; i++)
     for (int j = MAX(jlo, i); j <= jhi; j++) laws[at(i, j)] = laws[at(j, i)] = law;
   set_coeff(ilo, ihi, jlo, jhi, slide);
+}
+
+template <class Law> std::string PairPotdem<Law>::coeff_text(int pair) const
+{
+  return law_text(laws[pair]);
 }
 
 template <class Law> double PairPotdem<Law>::init_one(int i, int j)

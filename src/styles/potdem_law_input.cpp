@@ -1,0 +1,102 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "potdem_law_input.h"
+
+namespace LAMMPS_NS {
+
+/* ---------------------------------------------------------------------- */
+
+void read_law(PotdemInput &input, POTDEM::TrussContact &law)
+{
+  law.E = input.positive("E");
+  law.a = input.positive("a");
+}
+
+bool read_option(PotdemInput &input, POTDEM::TrussContact &law)
+{
+  if (!input.next_is("penetration")) return false;
+  input.penetration(law.m, law.normalized);
+  return true;
+}
+
+std::string law_text(const POTDEM::TrussContact &law)
+{
+  std::string text = fmt::format("{:.17g} {:.17g}", law.E, law.a);
+  if (law.m > 0)
+    text += fmt::format(" penetration {}{}", law.m, law.normalized ? " normalized" : "");
+  return text;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void read_law(PotdemInput &input, POTDEM::ShiftedLJ &law)
+{
+  law.K0 = input.positive("K0");
+  law.R = input.positive("R");
+  law.n = input.positive("n");
+  law.alpha = input.fraction("alpha");
+  law.cut = POTDEM::ShiftedLJ::default_cut(law.R, law.n);
+}
+
+bool read_option(PotdemInput &input, POTDEM::ShiftedLJ &law)
+{
+  if (!input.next_is("cut")) return false;
+  law.cut = input.positive("cut s_c");
+  return true;
+}
+
+std::string law_text(const POTDEM::ShiftedLJ &law)
+{
+  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} cut {:.17g}", law.K0, law.R, law.n, law.alpha,
+                     law.cut);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void read_law(PotdemInput &input, POTDEM::RegularisedGranular &law)
+{
+  law.K0 = input.positive("K0");
+  law.n = input.above("n", 2.0);
+  law.alpha = input.fraction("alpha");
+  if (law.alpha == 0.0) input.fail("alpha = 0 is out of range, it must be > 0 and < 1");
+  law.cut = POTDEM::RegularisedGranular::default_cut(law.n);
+}
+
+bool read_option(PotdemInput &input, POTDEM::RegularisedGranular &law)
+{
+  if (!input.next_is("cut")) return false;
+  law.cut = input.above("cut x", 1.0);
+  return true;
+}
+
+std::string law_text(const POTDEM::RegularisedGranular &law)
+{
+  return fmt::format("{:.17g} {:.17g} {:.17g} cut {:.17g}", law.K0, law.n, law.alpha, law.cut);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void read_law(PotdemInput &input, POTDEM::Hertz &law)
+{
+  const double E = input.positive("E"), nu = input.poisson("nu");
+  law = POTDEM::Hertz::of(E, nu);
+}
+
+bool read_option(PotdemInput &input, POTDEM::Hertz &law)
+{
+  if (!input.next_is("viscous")) return false;
+  law.H = input.nonnegative("viscous H");
+  return true;
+}
+
+// a mixed pair is written as two equal materials that have its contact modulus
+std::string law_text(const POTDEM::Hertz &law)
+{
+  const double E = law.E > 0.0 ? law.E : 2.0 * law.modulus;
+  return fmt::format("{:.17g} {:.17g} viscous {:.17g}", E, law.nu, law.H);
+}
+
+}    // namespace LAMMPS_NS

@@ -1,0 +1,59 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Reading and writing the coefficients of the contact laws, for pairs and for walls. For each law: the required
+   values, one optional keyword at a time, the keywords' names for the error message, and the text that
+   reads back as the same law. */
+
+#ifndef LMP_POTDEM_LAW_INPUT_H
+#define LMP_POTDEM_LAW_INPUT_H
+
+#include "laws/hertz.h"
+#include "laws/regularised_granular.h"
+#include "laws/shifted_lj.h"
+#include "laws/truss_contact.h"
+#include "potdem_input.h"
+
+namespace LAMMPS_NS {
+
+// E a  [penetration m [normalized]]
+void read_law(PotdemInput &, POTDEM::TrussContact &);
+bool read_option(PotdemInput &, POTDEM::TrussContact &);
+std::string law_text(const POTDEM::TrussContact &);
+constexpr const char *option_names(const POTDEM::TrussContact &)
+{
+  return "penetration";
+}
+
+// K0 R n alpha  [cut s_c]
+void read_law(PotdemInput &, POTDEM::ShiftedLJ &);
+bool read_option(PotdemInput &, POTDEM::ShiftedLJ &);
+std::string law_text(const POTDEM::ShiftedLJ &);
+constexpr const char *option_names(const POTDEM::ShiftedLJ &)
+{
+  return "cut";
+}
+
+// K0 n alpha  [cut x]
+void read_law(PotdemInput &, POTDEM::RegularisedGranular &);
+bool read_option(PotdemInput &, POTDEM::RegularisedGranular &);
+std::string law_text(const POTDEM::RegularisedGranular &);
+constexpr const char *option_names(const POTDEM::RegularisedGranular &)
+{
+  return "cut";
+}
+
+// E nu  [viscous H]
+void read_law(PotdemInput &, POTDEM::Hertz &);
+bool read_option(PotdemInput &, POTDEM::Hertz &);
+std::string law_text(const POTDEM::Hertz &);
+constexpr const char *option_names(const POTDEM::Hertz &)
+{
+  return "viscous";
+}
+
+}    // namespace LAMMPS_NS
+
+#endif
