@@ -144,6 +144,14 @@ void PairPotdemBase::mix_friction(int i, int j)
   sliding = sliding || mixed.mu > 0.0;
 }
 
+void PairPotdemBase::cannot_mix(int i, int j, const std::string &coefficient) const
+{
+  error->all(FLERR,
+             "pair_style {}: types {} and {} have different {}, which cannot be mixed; give "
+             "pair_coeff {} {} explicitly",
+             name(), i, j, coefficient, i, j);
+}
+
 double PairPotdemBase::contact_distance(int i, int j, double dbar) const
 {
   if (!bond_store || !bond_store->overlapping()) return dbar;

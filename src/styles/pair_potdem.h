@@ -69,6 +69,7 @@ class PairPotdemBase : public Pair {
   double rate(const Touch &) const;                                       // dr/dt
   void note(int kind, const Touch &, double fx, double fy, double fz);    // dissipative force on i
   void slide(const Touch &, const POTDEM::Friction &, double normal, double *drag);
+  [[noreturn]] void cannot_mix(int i, int j, const std::string &coefficient) const;
   [[noreturn]] void collapsed(int i, int j, double r, double core) const;
 
   // the style's part

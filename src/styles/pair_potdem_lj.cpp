@@ -14,12 +14,7 @@ using namespace LAMMPS_NS;
 void PairPotdemLJ::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
-  if (a.n != b.n)
-    error->all(FLERR,
-               "pair_style potdem/lj: types {} and {} have different n, which cannot be mixed; "
-               "give pair_coeff {} {} "
-               "explicitly",
-               i, j, i, j);
+  if (a.n != b.n) cannot_mix(i, j, "n");
   laws[at(i, j)] = {POTDEM::series_modulus(a.K0, b.K0), 0.5 * (a.R + b.R), a.n,
                     0.5 * (a.alpha + b.alpha), 0.5 * (a.cut + b.cut)};
 }

@@ -14,11 +14,6 @@ using namespace LAMMPS_NS;
 void PairPotdemTruss::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
-  if (a.m != b.m || a.normalized != b.normalized)
-    error->all(FLERR,
-               "pair_style potdem/truss: types {} and {} have different 'penetration', which "
-               "cannot be mixed; give "
-               "pair_coeff {} {} explicitly",
-               i, j, i, j);
+  if (a.m != b.m || a.normalized != b.normalized) cannot_mix(i, j, "penetration");
   laws[at(i, j)] = {POTDEM::series_modulus(a.E, b.E), 0.5 * (a.a + b.a), a.m, a.normalized};
 }
