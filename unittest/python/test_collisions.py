@@ -106,12 +106,12 @@ def restitution(speed, H, attract):
     return -rest.y_events[0][0][1] / speed
 
 
-def test_restitution_without_viscosity_is_one():
-    """the reference itself: exact where there is an exact answer, and 1 - 1.0085 gamma v^(1/5) near it"""
+def test_the_reference_of_restitution():
+    """1 without viscosity; with little of it the loss is the work of the viscous force along the elastic path,
+    2 K H times the integral of w^(1/2) v dw"""
     assert restitution(2.0, 0.0, True) == pytest.approx(1.0, abs=1e-11)
-    # work of the viscous force along the elastic path: K H integral w^(1/2) v dw, twice
     x, weights = np.polynomial.legendre.leggauss(80)
-    q = 0.5 * (x + 1)    # w = w_max (1 - (1-q)^2)^... kept simple: substitution w = w_max (1 - y^2)
+    q = 0.5 * (x + 1)    # w = w_max (1 - q^2) takes the root at rest out of the integrand
     speed, H = 2.0, 1e-9
     w = overlap_at_rest(speed)
     t = 1 - q**2
