@@ -8,7 +8,7 @@ namespace POTDEM {
 struct Pairing {
   double ri, rj;    // radii
   double
-      contact;    // distance of first contact: dbar, or less for a pair whose bond failed while it overlapped
+      contact;    // distance of first contact: dbar, or less for a pair whose bond failed within reach
 
   double dbar() const { return ri + rj; }                            // mean diameter
   double effective_radius() const { return ri * rj / (ri + rj); }    // d*/2 of eq. 5.15

@@ -25,6 +25,7 @@
 #include "comm.h"
 #include "force.h"
 #include "modify.h"
+#include "pair.h"
 #include "update.h"
 
 #include <cmath>
@@ -190,7 +191,13 @@ FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doome
           0.5 * (xi[2] + xj[2]),
           POTDEM::truss_strain(r2 / (re * re)),
           0.5 * (doomed.energy + bond_energy(i, j)),
-          r < atom->radius[i] + atom->radius[j] ? r : 0.0};
+          r < contact_reach(i, j) ? r : 0.0};
+}
+
+// within which the pair style may act on particles of these types
+double FixPotdemFailure::contact_reach(int i, int j) const
+{
+  return force->pair ? sqrt(force->pair->cutsq[atom->type[i]][atom->type[j]]) : 0.0;
 }
 
 double FixPotdemFailure::bond_energy(int i, int j) const
@@ -202,8 +209,8 @@ double FixPotdemFailure::bond_energy(int i, int j) const
 }
 
 /* ----------------------------------------------------------------------
-   wherever this rank holds the bond; a pair that still overlaps keeps its present distance as contact
-   distance, so that its contact starts from zero
+   wherever this rank holds the bond; a pair within reach of its contact law keeps its present distance, at
+   which the law will begin
 ------------------------------------------------------------------------- */
 
 void FixPotdemFailure::remove(const Failure &failure)

@@ -51,6 +51,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   std::vector<Failure> describe_pending();
   Failure describe(int i, const Pending &) const;
   double bond_energy(int i, int j) const;
+  double contact_reach(int i, int j) const;
   void record(const std::vector<Failure> &);
   void remove(const Failure &);
 };

@@ -152,16 +152,15 @@ void PairPotdemBase::cannot_mix(int i, int j, const std::string &coefficient) co
              name(), i, j, coefficient, i, j);
 }
 
-double PairPotdemBase::contact_distance(int i, int j, double dbar) const
-{
-  if (!bond_store || !bond_store->overlapping()) return dbar;
-  return bond_store->contact_distance(i, atom->tag[j], dbar);
-}
-
+// a pair whose bond failed within reach of this law has the law moved inwards, so that it begins where the bond
+// ended: failure creates no energy
 POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
 {
-  const double ri = atom->radius[i], rj = atom->radius[j];
-  return {ri, rj, contact_distance(i, j, ri + rj)};
+  const double ri = atom->radius[i], rj = atom->radius[j], dbar = ri + rj;
+  if (!bond_store || !bond_store->overlapping()) return {ri, rj, dbar};
+  const double failed = bond_store->failure_distance(i, atom->tag[j]);
+  if (failed == 0.0) return {ri, rj, dbar};
+  return {ri, rj, dbar - MAX(0.0, reach(atom->type[i], atom->type[j], dbar) - failed)};
 }
 
 void PairPotdemBase::collapsed(int i, int j, double r, double core) const
@@ -252,40 +251,69 @@ double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
   fforce = 0.0;
   const double dbar = atom->radius[i] + atom->radius[j], r = sqrt(rsq);
   if (r >= reach(itype, jtype, dbar)) return 0.0;
-  const auto law = evaluate(at(itype, jtype), r, i < atom->nlocal ? pairing(i, j) : pairing(j, i));
+  const auto partners = i < atom->nlocal ? pairing(i, j) : pairing(j, i);
+  if (!(r > core(at(itype, jtype), partners))) collapsed(i, j, r, core(at(itype, jtype), partners));
+  const auto law = evaluate(at(itype, jtype), r, partners);
   fforce = factor_lj * law.force / r;
   return factor_lj * law.energy;
 }
 
 /* ---------------------------------------------------------------------- */
 
-template <class Action> void PairPotdemBase::for_each_coeff(Action action)
+template <class Action> void PairPotdemBase::for_each_setting(Action action)
 {
   action(&rotation, sizeof(int));
   action(&offset_flag, sizeof(int));
   action(&mix_flag, sizeof(int));
+  if (extra_setting()) action(extra_setting(), sizeof(int));
+}
+
+template <class Action> void PairPotdemBase::for_each_coeff(Action action)
+{
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       action(&setflag[i][j], sizeof(int));
       action(&friction[at(i, j)], sizeof(POTDEM::Friction));
       action(coeff_data(at(i, j)), coeff_size());
+      friction[at(j, i)] = friction[at(i, j)];
     }
+}
+
+void PairPotdemBase::write_restart_settings(FILE *fp)
+{
+  for_each_setting([fp](void *data, std::size_t size) {
+    fwrite(data, size, 1, fp);
+  });
+}
+
+void PairPotdemBase::read_restart_settings(FILE *fp)
+{
+  for_each_setting([this, fp](void *data, std::size_t size) {
+    read_item(data, size, fp);
+  });
 }
 
 void PairPotdemBase::write_restart(FILE *fp)
 {
-  for_each_coeff([&](void *data, std::size_t size) {
+  write_restart_settings(fp);
+  for_each_coeff([fp](void *data, std::size_t size) {
     fwrite(data, size, 1, fp);
   });
 }
 
 void PairPotdemBase::read_restart(FILE *fp)
 {
+  read_restart_settings(fp);
   allocate();
-  for_each_coeff([&](void *data, std::size_t size) {
-    if (comm->me == 0) utils::sfread(FLERR, data, size, 1, fp, nullptr, error);
-    MPI_Bcast(data, size, MPI_BYTE, 0, world);
+  for_each_coeff([this, fp](void *data, std::size_t size) {
+    read_item(data, size, fp);
   });
+}
+
+void PairPotdemBase::read_item(void *data, std::size_t size, FILE *fp)
+{
+  if (comm->me == 0) utils::sfread(FLERR, data, size, 1, fp, nullptr, error);
+  MPI_Bcast(data, size, MPI_BYTE, 0, world);
 }
 
 /* ---------------------------------------------------------------------- */

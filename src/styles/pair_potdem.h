@@ -40,6 +40,8 @@ class PairPotdemBase : public Pair {
   double init_one(int, int) override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
+  void write_restart_settings(FILE *) override;
+  void read_restart_settings(FILE *) override;
   void write_data(FILE *) override;
   void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
@@ -57,7 +59,6 @@ class PairPotdemBase : public Pair {
 
   virtual void allocate();
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
-  double contact_distance(int i, int j, double dbar) const;
   POTDEM::Pairing pairing(int i, int j) const;
 
   // two particles that slide on each other: del = x_i - x_j, r its length
@@ -76,11 +77,13 @@ class PairPotdemBase : public Pair {
   virtual const char *name() const = 0;
   virtual bool read_setting(PotdemInput &) { return false; }
   virtual const char *setting_names() const { return "rotation"; }
+  virtual int *extra_setting() { return nullptr; }    // one flag of the style, for restart files
   virtual void mix(int i, int j) = 0;
   virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
   virtual bool touching() const = 0;
   virtual bool needs_velocity() const = 0;
   virtual double reach(int i, int j, double dbar) const = 0;
+  virtual double core(int pair, const POTDEM::Pairing &) const = 0;
   virtual POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &) const = 0;
   virtual void *coeff_data(int pair) = 0;
   virtual std::size_t coeff_size() const = 0;
@@ -91,7 +94,9 @@ class PairPotdemBase : public Pair {
   void slide_velocity(const Touch &, double *u) const;
   void twist(const Touch &, const double *drag);
   void write_coeff(FILE *, const std::string &types, int pair) const;
+  template <class Action> void for_each_setting(Action);
   template <class Action> void for_each_coeff(Action);
+  void read_item(void *data, std::size_t size, FILE *);
 };
 
 template <class Law> class PairPotdem : public PairPotdemBase {
@@ -111,6 +116,10 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   bool touching() const override { return Law::touching; }
   bool needs_velocity() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }
+  double core(int pair, const POTDEM::Pairing &pairing) const override
+  {
+    return kernels[pair].core(pairing);
+  }
   POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &pairing) const override
   {
     return kernels[pair].evaluate(r, pairing);

@@ -160,9 +160,9 @@ void PotdemBondStore::forget_special(int i, tagint partner)
   for (int k = 0; k < 3; k++) n[k]--;
 }
 
-double PotdemBondStore::contact_distance(int i, tagint partner, double dbar) const
+double PotdemBondStore::failure_distance(int i, tagint partner) const
 {
   for (int m = 0; m < atom->num_bond[i]; m++)
-    if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return MIN(dbar, -length(i, m));
-  return dbar;
+    if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return -length(i, m);
+  return 0.0;
 }

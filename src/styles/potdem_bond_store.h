@@ -4,8 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* What a bond remembers: its reference length and its section, in LAMMPS's own FixBondHistory (which
-   carries them through exchange, sorting and restart), and the contact distance of pairs whose bond
-   failed while they still overlapped. Created by potdem_bonds or bond_style potdem/truss, one per
+   carries them through exchange, sorting and restart), and the distance at which a bond failed whose
+   pair was within reach of its contact law. Created by potdem_bonds or bond_style potdem/truss, one per
    simulation. */
 
 #ifndef LMP_POTDEM_BOND_STORE_H
@@ -19,8 +19,8 @@ namespace LAMMPS_NS {
 
 class PotdemBondStore : public FixBondHistory {
  public:
-  // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed and the pair
-  // touches at -LENGTH. Such a bond stays in LAMMPS's list with its type negated ('turned off').
+  // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed at the distance
+  // -LENGTH, within reach of the contact law. Such a bond stays in LAMMPS's list with its type negated ('turned off').
   enum { LENGTH, SECTION, NDATA };
 
   static PotdemBondStore *find(LAMMPS *);
@@ -44,7 +44,7 @@ class PotdemBondStore : public FixBondHistory {
   turn_off_failed();    // after a restart or a new special list: failed bonds are no neighbours
 
   bool overlapping() const { return noverlap > 0; }
-  double contact_distance(int i, tagint partner, double dbar) const;
+  double failure_distance(int i, tagint partner) const;    // of a failed pair that is kept, else 0
 
   int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
 

@@ -50,7 +50,7 @@ CASES = {
     "pair type out of range": (pair("3 3 5 0.5"), ["3"]),
     "pair coefficients unset": (pair("1 1 5 0.5\nrun 0"), ["pair coeffs are not set"]),
     "pair mixing": (pair("1 1 5 0.5 penetration 2\npair_coeff 2 2 5 0.5\nrun 0"),
-                    ["types 1 and 2", "'penetration'", "pair_coeff 1 2"]),
+                    ["types 1 and 2", "penetration", "pair_coeff 1 2"]),
     # bond style
     "bond style keyword": (BOX + "bond_style potdem/truss lattice", ["bond_style potdem/truss", "'lattice'"]),
     "bond E zero": (bond("* 0 area factor 0.5"), ["bond_coeff potdem/truss", "E = 0", "> 0"]),
