@@ -23,20 +23,21 @@
 
 using namespace LAMMPS_NS;
 
-// what a tangential force at the surface of a solid sphere accelerates there, over its mass: spin adds r^2/I
-static constexpr double SPHERE_SLIDING_MASS = 2.0 / 7.0;
-
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
-    Pair(lmp), sliding(false), rotation(0), ledger(nullptr), bond_store(nullptr), atom_types(0)
+    Pair(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr), bond_store(nullptr),
+    atom_types(0)
 {
   writedata = 1;
   single_enable = 1;
+  single_extra = NEXTRA;
+  svector = new double[NEXTRA];
 }
 
 PairPotdemBase::~PairPotdemBase()
 {
+  delete[] svector;
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -93,14 +94,20 @@ void PairPotdemBase::init_style()
   bond_store = force->bond_match("potdem/truss") ? PotdemBondStore::ensure(lmp) : nullptr;
   ledger = PotdemLedger::find(lmp);
   find_diameters();
-  sliding = false;
-  for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
+  find_needs();
   if (rotation && !(atom->omega_flag && atom->torque_flag))
     error->all(FLERR,
                "pair_style {}: rotation needs an atom style with spin, e.g. atom_style sphere",
                name());
-  if (needs_velocity()) comm->ghost_velocity = 1;
+  if (sliding || viscous) comm->ghost_velocity = 1;
   neighbor->add_request(this, touching() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
+}
+
+void PairPotdemBase::find_needs()
+{
+  sliding = false;
+  for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
+  viscous = any_viscous();
 }
 
 void PairPotdemBase::find_diameters()
@@ -163,84 +170,50 @@ POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
   return {ri, rj, dbar - MAX(0.0, reach(atom->type[i], atom->type[j], dbar) - failed)};
 }
 
-void PairPotdemBase::collapsed(int i, int j, double r, double core) const
+void PairPotdemBase::collapsed(int i, int j) const
 {
+  const double *a = atom->x[i], *b = atom->x[j];
+  const double r = sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                        (a[2] - b[2]) * (a[2] - b[2]));
   error->one(FLERR,
              "pair_style {}: atoms {} and {} are {} apart on step {}, which is not beyond the "
              "smallest distance {} of this "
              "law (or their positions are not finite); use a smaller timestep, or a law that "
              "pushes harder",
-             name(), atom->tag[i], atom->tag[j], r, update->ntimestep, core);
+             name(), atom->tag[i], atom->tag[j], r, update->ntimestep,
+             core(at(atom->type[i], atom->type[j]), pairing(i, j)));
 }
 
-/* ----------------------------------------------------------------------
-   velocities at the contact; with rotation the surfaces move, the arms reach to the contact
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-double PairPotdemBase::rate(const Touch &touch) const
+PotdemMotion PairPotdemBase::motion() const
 {
-  const double *vi = atom->v[touch.i], *vj = atom->v[touch.j], *del = touch.del;
-  return ((vi[0] - vj[0]) * del[0] + (vi[1] - vj[1]) * del[1] + (vi[2] - vj[2]) * del[2]) / touch.r;
+  const auto rows = [](double **array) {
+    return array ? (const double(*)[3]) array[0] : nullptr;
+  };
+  return {rows(atom->v), rows(atom->omega), atom->radius, atom->rmass, update->dt / force->mvv2e};
 }
 
-void PairPotdemBase::slide_velocity(const Touch &touch, double *u) const
+// dissipative force share * f on i, and its reaction on j
+void PairPotdemBase::note(PotdemLedger::Kind kind, const PotdemTouch &touch, double share,
+                          const double *f)
 {
-  const double *vi = atom->v[touch.i], *vj = atom->v[touch.j], *del = touch.del;
-  const double along = rate(touch) / touch.r;
-  for (int k = 0; k < 3; k++) u[k] = vi[k] - vj[k] - along * del[k];
-  if (!rotation) return;
-  const double ri = atom->radius[touch.i], rj = atom->radius[touch.j];
-  double spin[3];
-  for (int k = 0; k < 3; k++)
-    spin[k] = (ri * atom->omega[touch.i][k] + rj * atom->omega[touch.j][k]) / (ri + rj);
-  u[0] -= spin[1] * del[2] - spin[2] * del[1];
-  u[1] -= spin[2] * del[0] - spin[0] * del[2];
-  u[2] -= spin[0] * del[1] - spin[1] * del[0];
-}
-
-void PairPotdemBase::note(int kind, const Touch &touch, double fx, double fy, double fz)
-{
-  if (!ledger) return;
-  ledger->add(static_cast<PotdemLedger::Kind>(kind), touch.i, fx, fy, fz);
+  ledger->add(kind, touch.i, share * f[0], share * f[1], share * f[2]);
   if (force->newton_pair || touch.j < atom->nlocal)
-    ledger->add(static_cast<PotdemLedger::Kind>(kind), touch.j, -fx, -fy, -fz);
+    ledger->add(kind, touch.j, -share * f[0], -share * f[1], -share * f[2]);
 }
 
-// adds friction on i to push, and its torques
-void PairPotdemBase::slide(const Touch &touch, const POTDEM::Friction &friction, double normal,
-                           double *push)
+void PairPotdemBase::note_torque(const PotdemTouch &touch, const double *turn)
 {
-  double u[3];
-  slide_velocity(touch, u);
-  const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  if (speed == 0.0) return;
-  const double mi = atom->rmass[touch.i], mj = atom->rmass[touch.j];
-  const double mass = mi * mj / (mi + mj) * (rotation ? SPHERE_SLIDING_MASS : 1.0);
-  const double b =
-      friction.factor(speed, normal, friction.viscosity(force->mvv2e * mass, update->dt));
-  const double drag[3] = {-b * u[0], -b * u[1], -b * u[2]};
-  for (int k = 0; k < 3; k++) push[k] += drag[k];
-  note(PotdemLedger::FRICTION, touch, drag[0], drag[1], drag[2]);
-  if (rotation) twist(touch, drag);
+  ledger->add_torque(touch.i, atom->radius[touch.i], turn);
+  if (force->newton_pair || touch.j < atom->nlocal)
+    ledger->add_torque(touch.j, atom->radius[touch.j], turn);
 }
 
-void PairPotdemBase::twist(const Touch &touch, const double *drag)
+void PairPotdemBase::tally(const Span &, const PotdemTouch &touch, double energy, const double *f)
 {
-  const double *del = touch.del, dbar = atom->radius[touch.i] + atom->radius[touch.j];
-  const double turn[3] = {drag[1] * del[2] - drag[2] * del[1], drag[2] * del[0] - drag[0] * del[2],
-                          drag[0] * del[1] - drag[1] * del[0]};    // drag x del
-  if (ledger) {
-    const double si = atom->radius[touch.i] / dbar, sj = atom->radius[touch.j] / dbar;
-    const double ti[3] = {si * turn[0], si * turn[1], si * turn[2]};
-    const double tj[3] = {sj * turn[0], sj * turn[1], sj * turn[2]};
-    ledger->add_torque(touch.i, ti);
-    if (force->newton_pair || touch.j < atom->nlocal) ledger->add_torque(touch.j, tj);
-  }
-  for (int k = 0; k < 3; k++) {
-    atom->torque[touch.i][k] += atom->radius[touch.i] / dbar * turn[k];
-    if (force->newton_pair || touch.j < atom->nlocal)
-      atom->torque[touch.j][k] += atom->radius[touch.j] / dbar * turn[k];
-  }
+  ev_tally_xyz(touch.i, touch.j, atom->nlocal, force->newton_pair, energy, 0.0, f[0], f[1], f[2],
+               touch.del[0], touch.del[1], touch.del[2]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -249,13 +222,37 @@ double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
                               double /*factor_coul*/, double factor_lj, double &fforce)
 {
   fforce = 0.0;
+  std::fill(svector, svector + single_extra, 0.0);
+  if (i >= atom->nlocal) std::swap(i, j);
   const double dbar = atom->radius[i] + atom->radius[j], r = sqrt(rsq);
   if (r >= reach(itype, jtype, dbar)) return 0.0;
-  const auto partners = i < atom->nlocal ? pairing(i, j) : pairing(j, i);
-  if (!(r > core(at(itype, jtype), partners))) collapsed(i, j, r, core(at(itype, jtype), partners));
-  const auto law = evaluate(at(itype, jtype), r, partners);
+  const auto partners = pairing(i, j);
+  const int pair = at(itype, jtype);
+  if (!(r > core(pair, partners))) collapsed(i, j);
+  const auto law = evaluate(pair, r, partners);
   fforce = factor_lj * law.force / r;
+  svector[OVERLAP] = partners.contact - r;
+  svector[STIFFNESS] = factor_lj * law.stiffness;
+  if (sliding || viscous) dissipative(pair, {i, j, {}, r}, law.force, factor_lj);
   return factor_lj * law.energy;
+}
+
+// the columns of single() for the forces that have no potential; friction is that on i
+void PairPotdemBase::dissipative(int pair, PotdemTouch touch, double elastic, double weight)
+{
+  for (int k = 0; k < 3; k++) touch.del[k] = atom->x[touch.i][k] - atom->x[touch.j][k];
+  const auto state = motion();
+  const auto partners = pairing(touch.i, touch.j);
+  double normal = elastic, drag[3] = {0.0, 0.0, 0.0};
+  if (viscous && touch.r < partners.contact)
+    normal = with_rate(pair, elastic, touch.r, partners, potdem_rate(state, touch));
+  svector[VISCOUS] = weight * (normal - elastic);
+  normal *= weight;
+  if (friction[pair].mu > 0.0 && normal > 0.0)
+    rotation ? potdem_drag<true>(state, touch, friction[pair], normal, drag)
+             : potdem_drag<false>(state, touch, friction[pair], normal, drag);
+  svector[FRICTION] = sqrt(drag[0] * drag[0] + drag[1] * drag[1] + drag[2] * drag[2]);
+  for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = drag[k];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -21,6 +21,8 @@
 #include "laws/evaluation.h"
 #include "laws/friction.h"
 #include "laws/pairing.h"
+#include "potdem_ledger.h"
+#include "potdem_touch.h"
 
 #include "pair.h"
 
@@ -49,10 +51,13 @@ class PairPotdemBase : public Pair {
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types
   std::vector<double> largest_radius;        // per type
-  bool sliding;                              // any friction at all
+  bool sliding, viscous;                     // any friction, any viscous part at all
   int rotation;
   class PotdemLedger *ledger;           // null: no compute potdem/energy
   class PotdemBondStore *bond_store;    // null: no bonds in this simulation
+
+  // the columns that single() adds, for compute pair/local
+  enum { OVERLAP, STIFFNESS, VISCOUS, FRICTION, NEXTRA = FRICTION + 4 };
 
   int at(int itype, int jtype) const { return itype * (atom_types + 1) + jtype; }
   int atom_types;
@@ -61,19 +66,24 @@ class PairPotdemBase : public Pair {
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
   POTDEM::Pairing pairing(int i, int j) const;
 
-  // two particles that slide on each other: del = x_i - x_j, r its length
-  struct Touch {
-    int i, j;
-    const double *del;
-    double r;
+  // the part of the list that one thread does, where its forces go, and what it found
+  struct Span {
+    int from, to;
+    double **f, **torque;
+    class ThrData *thread;    // null: no threads
+    int i = -1, j = -1;       // a pair that has collapsed
   };
-  double rate(const Touch &) const;                                       // dr/dt
-  void note(int kind, const Touch &, double fx, double fy, double fz);    // dissipative force on i
-  void slide(const Touch &, const POTDEM::Friction &, double normal, double *drag);
+
+  PotdemMotion motion() const;
+  void note(PotdemLedger::Kind, const PotdemTouch &, double share, const double *f);
+  void note_torque(const PotdemTouch &, const double *turn);
+  virtual void tally(const Span &, const PotdemTouch &, double energy, const double *f);
   [[noreturn]] void cannot_mix(int i, int j, const std::string &coefficient) const;
-  [[noreturn]] void collapsed(int i, int j, double r, double core) const;
+  [[noreturn]] void collapsed(int i, int j) const;
 
   // the style's part
+  virtual double with_rate(int pair, double elastic, double r, const POTDEM::Pairing &,
+                           double rate) const = 0;
   virtual const char *name() const = 0;
   virtual bool read_setting(PotdemInput &) { return false; }
   virtual const char *setting_names() const { return "rotation"; }
@@ -81,7 +91,7 @@ class PairPotdemBase : public Pair {
   virtual void mix(int i, int j) = 0;
   virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
   virtual bool touching() const = 0;
-  virtual bool needs_velocity() const = 0;
+  virtual bool any_viscous() const = 0;
   virtual double reach(int i, int j, double dbar) const = 0;
   virtual double core(int pair, const POTDEM::Pairing &) const = 0;
   virtual POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &) const = 0;
@@ -90,9 +100,9 @@ class PairPotdemBase : public Pair {
 
  private:
   void find_diameters();
+  void find_needs();
+  void dissipative(int pair, PotdemTouch, double elastic, double weight);
   void mix_friction(int i, int j);
-  void slide_velocity(const Touch &, double *u) const;
-  void twist(const Touch &, const double *drag);
   void write_coeff(FILE *, const std::string &types, int pair) const;
   template <class Action> void for_each_setting(Action);
   template <class Action> void for_each_coeff(Action);
@@ -110,11 +120,12 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   std::vector<Law> laws;
   std::vector<typename Law::Kernel> kernels;
 
+  void work(Span &);                      // the forces of a part of the list
   virtual void prepare(Law &) const {}    // what pair_style itself says about a law
   void allocate() override;
   std::string coeff_text(int pair) const override;
   bool touching() const override { return Law::touching; }
-  bool needs_velocity() const override;
+  bool any_viscous() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }
   double core(int pair, const POTDEM::Pairing &pairing) const override
   {
@@ -124,12 +135,22 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   {
     return kernels[pair].evaluate(r, pairing);
   }
+  double with_rate(int pair, double elastic, double r, const POTDEM::Pairing &partners,
+                   double rate) const override
+  {
+    if constexpr (Law::rated) return kernels[pair].with_rate(elastic, r, partners, rate);
+    return elastic;
+  }
   void *coeff_data(int pair) override { return &laws[pair]; }
   std::size_t coeff_size() const override { return sizeof(Law); }
 
  private:
-  template <bool EV> void choose();
-  template <bool SLIDE, bool RATE, bool EV> void loop();
+  template <bool EV> void choose(Span &);
+  template <bool SLIDE, bool SPIN, bool EV> void choose_rate(Span &);
+  template <bool SLIDE, bool SPIN, bool RATE, bool EV> void loop(Span &);
+  template <bool SPIN>
+  void rub(const Span &, const PotdemMotion &, const PotdemTouch &, const POTDEM::Friction &,
+           double normal, double *push);
 };
 
 }    // namespace LAMMPS_NS

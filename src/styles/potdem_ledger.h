@@ -46,9 +46,9 @@ class PotdemLedger : public Fix {
     force[3 * kind + 2] += fz;
   }
 
-  void add_torque(int i, const double *torque)    // of friction
+  void add_torque(int i, double arm, const double *turn)    // of friction: arm * turn
   {
-    for (int k = 0; k < 3; k++) forces[i][3 * NKINDS + k] += torque[k];
+    for (int k = 0; k < 3; k++) forces[i][3 * NKINDS + k] += arm * turn[k];
   }
 
   // a wall that moves with velocity u pushes with f: its work, and what of it is friction or viscous heat

@@ -9,8 +9,8 @@
 #define LMP_POTDEM_PAIR_LOOP_H
 
 #include "pair_potdem.h"
+#include "potdem_bond_store.h"
 #include "potdem_law_input.h"
-#include "potdem_ledger.h"
 
 #include "atom.h"
 #include "error.h"
@@ -68,77 +68,120 @@ template <class Law> double PairPotdem<Law>::init_one(int i, int j)
   return cutoff;
 }
 
-template <class Law> bool PairPotdem<Law>::needs_velocity() const
+template <class Law> bool PairPotdem<Law>::any_viscous() const
 {
   if constexpr (Law::rated)
     for (const auto &law : laws)
       if (law.H > 0.0) return true;
-  return sliding;
+  return false;
 }
 
 template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
-  evflag ? choose<true>() : choose<false>();
+  Span all{0, list->inum, atom->f, atom->torque, nullptr};
+  work(all);
+  if (all.i >= 0) collapsed(all.i, all.j);
   if (vflag_fdotr) virial_fdotr_compute();
 }
 
 // the smallest kernel that the coefficients need
-template <class Law> template <bool EV> void PairPotdem<Law>::choose()
+template <class Law> void PairPotdem<Law>::work(Span &span)
 {
-  const bool rated = Law::rated && needs_velocity();
-  if (sliding)
-    rated ? loop<true, Law::rated, EV>() : loop<true, false, EV>();
-  else
-    rated ? loop<false, Law::rated, EV>() : loop<false, false, EV>();
+  evflag ? choose<true>(span) : choose<false>(span);
 }
 
-template <class Law> template <bool SLIDE, bool RATE, bool EV> void PairPotdem<Law>::loop()
+template <class Law> template <bool EV> void PairPotdem<Law>::choose(Span &span)
+{
+  if (!sliding)
+    choose_rate<false, false, EV>(span);
+  else
+    rotation ? choose_rate<true, true, EV>(span) : choose_rate<true, false, EV>(span);
+}
+
+template <class Law>
+template <bool SLIDE, bool SPIN, bool EV>
+void PairPotdem<Law>::choose_rate(Span &span)
+{
+  if constexpr (Law::rated)
+    if (viscous) return loop<SLIDE, SPIN, true, EV>(span);
+  loop<SLIDE, SPIN, false, EV>(span);
+}
+
+// one particle i at a time, its force kept in registers
+template <class Law>
+template <bool SLIDE, bool SPIN, bool RATE, bool EV>
+void PairPotdem<Law>::loop(Span &span)
 {
   const auto *const x = (const double(*)[3]) atom->x[0];
-  auto *const f = (double(*)[3]) atom->f[0];
-  const double *const radius = atom->radius;
+  auto *const f = (double(*)[3]) span.f[0];
+  const double *const radius = atom->radius, *const special = force->special_lj;
   const int *const type = atom->type;
   const int nlocal = atom->nlocal, newton = force->newton_pair;
+  const bool moved = bond_store && bond_store->overlapping();
+  const PotdemMotion state = motion();
 
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii], itype = type[i];
+  for (int ii = span.from; ii < span.to; ii++) {
+    const int i = list->ilist[ii], pairs = at(type[i], 0), jnum = list->numneigh[i];
     const int *const jlist = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = jlist[jj] & NEIGHMASK, pair = at(itype, type[j]);
-      const double weight = force->special_lj[sbmask(jlist[jj])];
-      const double del[3] = {x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]};
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], ri = radius[i];
+    double fi[3] = {0.0, 0.0, 0.0};
+    for (int jj = 0; jj < jnum; jj++) {
+      const int j = jlist[jj] & NEIGHMASK, pair = pairs + type[j];
+      const double weight = special[sbmask(jlist[jj])], rj = radius[j];
+      PotdemTouch touch{i, j, {xi - x[j][0], yi - x[j][1], zi - x[j][2]}, 0.0};
+      const double *const del = touch.del;
       const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
-      const double reach = laws[pair].reach(radius[i] + radius[j]);
+      const double reach = laws[pair].reach(ri + rj);
       if (r2 >= reach * reach || weight == 0.0) continue;
 
-      const double r = sqrt(r2);
-      const auto partners = pairing(i, j);
-      const double core = kernels[pair].core(partners);
-      if (!(r > core)) collapsed(i, j, r, core);    // true for NaN as well
+      const double r = touch.r = sqrt(r2);
+      const auto partners = moved ? pairing(i, j) : POTDEM::Pairing{ri, rj, ri + rj};
+      if (!(r > kernels[pair].core(partners))) {    // true for NaN as well
+        span.i = i;
+        span.j = j;
+        return;
+      }
       const auto law = kernels[pair].evaluate(r, partners);
-      const Touch touch{i, j, del, r};
       double normal = law.force;
       if constexpr (RATE)
         if (r < partners.contact) {
-          normal = kernels[pair].with_rate(law.force, r, partners, rate(touch));
-          const double viscous = weight * (normal - law.force) / r;
-          note(PotdemLedger::VISCOUS, touch, viscous * del[0], viscous * del[1], viscous * del[2]);
+          normal = kernels[pair].with_rate(law.force, r, partners, potdem_rate(state, touch));
+          if (ledger) note(PotdemLedger::VISCOUS, touch, weight * (normal - law.force) / r, del);
         }
       normal *= weight;
 
-      double push[3] = {normal / r * del[0], normal / r * del[1], normal / r * del[2]};
-      if (SLIDE && friction[pair].mu > 0.0 && normal > 0.0)
-        slide(touch, friction[pair], normal, push);
-
-      for (int k = 0; k < 3; k++) f[i][k] += push[k];
+      const double along = normal / r;
+      double push[3] = {along * del[0], along * del[1], along * del[2]};
+      if (SLIDE && normal > 0.0 && friction[pair].mu > 0.0)
+        rub<SPIN>(span, state, touch, friction[pair], normal, push);
+      for (int k = 0; k < 3; k++) fi[k] += push[k];
       if (newton || j < nlocal)
         for (int k = 0; k < 3; k++) f[j][k] -= push[k];
-      if (EV)
-        ev_tally_xyz(i, j, nlocal, newton, weight * law.energy, 0.0, push[0], push[1], push[2],
-                     del[0], del[1], del[2]);
+      if (EV) tally(span, touch, weight * law.energy, push);
     }
+    for (int k = 0; k < 3; k++) f[i][k] += fi[k];
   }
+}
+
+// adds friction on i to push, and its torques
+template <class Law>
+template <bool SPIN>
+inline void PairPotdem<Law>::rub(const Span &span, const PotdemMotion &state,
+                                 const PotdemTouch &touch, const POTDEM::Friction &rough,
+                                 double normal, double *push)
+{
+  double drag[3], turn[3];
+  potdem_drag<SPIN>(state, touch, rough, normal, drag);
+  for (int k = 0; k < 3; k++) push[k] += drag[k];
+  if (ledger) note(PotdemLedger::FRICTION, touch, 1.0, drag);
+  if (!SPIN) return;
+  const int i = touch.i, j = touch.j;
+  potdem_turn(state, touch, drag, turn);
+  if (ledger) note_torque(touch, turn);
+  for (int k = 0; k < 3; k++) span.torque[i][k] += state.radius[i] * turn[k];
+  if (force->newton_pair || j < atom->nlocal)
+    for (int k = 0; k < 3; k++) span.torque[j][k] += state.radius[j] * turn[k];
 }
 
 }    // namespace LAMMPS_NS
