@@ -38,6 +38,7 @@ PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
 PairPotdemBase::~PairPotdemBase()
 {
   delete[] svector;
+  for (auto &one : published) memory->destroy(one.values);
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -79,6 +80,7 @@ void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM:
     }
   if (count == 0)
     error->all(FLERR, "pair_coeff {}: no pair of types I <= J in the range given", name());
+  publish();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -127,6 +129,11 @@ void PairPotdemBase::find_diameters()
 // types without particles have no contacts
 double PairPotdemBase::init_one(int i, int j)
 {
+  if (!published.empty()) {
+    adopt(i, i);
+    adopt(j, j);
+    adopt(i, j);
+  }
   if (setflag[i][j] == 0) {
     if (!setflag[i][i] || !setflag[j][j])
       error->all(FLERR,
@@ -255,6 +262,70 @@ void PairPotdemBase::dissipative(int pair, PotdemTouch touch, double elastic, do
   for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = drag[k];
 }
 
+/* ----------------------------------------------------------------------
+   fix adapt changes the values that extract() gives it, and has init_one() called
+------------------------------------------------------------------------- */
+
+void *PairPotdemBase::extract(const char *str, int &dim)
+{
+  dim = 2;
+  const std::string wanted = str;
+  if (!allocated || !coeff_named(at(1, 1), wanted)) return nullptr;
+  if (wanted == "mu" || wanted == "viscous") comm->ghost_velocity = 1;    // may be zero until now
+  if (wanted == "eta")
+    for (const auto &slide : friction)
+      if (slide.automatic)
+        error->all(FLERR,
+                   "pair_style {}: eta is 'auto' for some types and cannot be changed by a fix",
+                   name());
+  for (const auto &one : published)
+    if (one.name == wanted) return one.values;
+  published.push_back({wanted, nullptr});
+  memory->create(published.back().values, atom_types + 1, atom_types + 1, "pair:published");
+  publish();
+  return published.back().values;
+}
+
+double *PairPotdemBase::coeff_named(int pair, const std::string &wanted)
+{
+  if (wanted == "mu") return &friction[pair].mu;
+  if (wanted == "eta") return &friction[pair].eta;
+  return coeff_of_law(pair, wanted);
+}
+
+void PairPotdemBase::publish()
+{
+  for (auto &one : published)
+    for (int i = 1; i <= atom_types; i++)
+      for (int j = 1; j <= atom_types; j++)
+        one.values[i][j] = *coeff_named(at(MIN(i, j), MAX(i, j)), one.name);
+}
+
+// mixed pairs follow their types
+void PairPotdemBase::adopt(int i, int j)
+{
+  if (!setflag[i][j]) return;
+  bool changed = false;
+  for (const auto &one : published) {
+    double &value = *coeff_named(at(i, j), one.name);
+    changed = changed || value != one.values[i][j];
+    value = one.values[i][j];
+  }
+  if (!changed) return;
+  auto words = utils::split_words(coeff_line(at(i, j)));
+  std::vector<char *> arg;
+  for (auto &word : words) arg.push_back(&word[0]);
+  reread(at(i, j), arg.size(), arg.data());
+  find_needs();
+  const double now = reach(i, j, largest_radius[i] + largest_radius[j]);
+  if (now * now > cutsq[i][j])
+    error->all(FLERR,
+               "pair_style {}: coefficients changed by a fix make types {} and {} interact up to a "
+               "distance {}, beyond {}, for which the neighbour list is made; begin with the "
+               "coefficients that reach furthest",
+               name(), i, j, now, sqrt(cutsq[i][j]));
+}
+
 /* ---------------------------------------------------------------------- */
 
 template <class Action> void PairPotdemBase::for_each_setting(Action action)
@@ -315,23 +386,25 @@ void PairPotdemBase::read_item(void *data, std::size_t size, FILE *fp)
 
 /* ---------------------------------------------------------------------- */
 
-void PairPotdemBase::write_coeff(FILE *fp, const std::string &types, int pair) const
+// as pair_coeff takes it
+std::string PairPotdemBase::coeff_line(int pair) const
 {
   const auto &slide = friction[pair];
-  std::string line = types + " " + coeff_text(pair);
-  if (slide.mu > 0.0)
+  std::string line = coeff_text(pair);
+  if (slide.mu != 0.0)
     line += fmt::format(" friction {:.17g} {}", slide.mu,
                         slide.automatic ? "auto" : fmt::format("{:.17g}", slide.eta));
-  utils::print(fp, "{}\n", line);
+  return line;
 }
 
 void PairPotdemBase::write_data(FILE *fp)
 {
-  for (int i = 1; i <= atom->ntypes; i++) write_coeff(fp, std::to_string(i), at(i, i));
+  for (int i = 1; i <= atom->ntypes; i++) utils::print(fp, "{} {}\n", i, coeff_line(at(i, i)));
 }
 
 void PairPotdemBase::write_data_all(FILE *fp)
 {
   for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) write_coeff(fp, fmt::format("{} {}", i, j), at(i, j));
+    for (int j = i; j <= atom->ntypes; j++)
+      utils::print(fp, "{} {} {}\n", i, j, coeff_line(at(i, j)));
 }

@@ -47,6 +47,7 @@ class PairPotdemBase : public Pair {
   void write_data(FILE *) override;
   void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
+  void *extract(const char *, int &) override;
 
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types
@@ -90,6 +91,8 @@ class PairPotdemBase : public Pair {
   virtual int *extra_setting() { return nullptr; }    // one flag of the style, for restart files
   virtual void mix(int i, int j) = 0;
   virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
+  virtual void reread(int pair, int narg, char **arg) = 0;            // coefficients with friction
+  virtual double *coeff_of_law(int pair, const std::string &) = 0;    // null: no such one
   virtual bool touching() const = 0;
   virtual bool any_viscous() const = 0;
   virtual double reach(int i, int j, double dbar) const = 0;
@@ -99,11 +102,21 @@ class PairPotdemBase : public Pair {
   virtual std::size_t coeff_size() const = 0;
 
  private:
+  // a coefficient of all pairs of types as fix adapt wants it
+  struct Published {
+    std::string name;
+    double **values;
+  };
+  std::vector<Published> published;
+
   void find_diameters();
   void find_needs();
   void dissipative(int pair, PotdemTouch, double elastic, double weight);
   void mix_friction(int i, int j);
-  void write_coeff(FILE *, const std::string &types, int pair) const;
+  std::string coeff_line(int pair) const;
+  double *coeff_named(int pair, const std::string &name);
+  void publish();
+  void adopt(int i, int j);
   template <class Action> void for_each_setting(Action);
   template <class Action> void for_each_coeff(Action);
   void read_item(void *data, std::size_t size, FILE *);
@@ -120,10 +133,13 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   std::vector<Law> laws;
   std::vector<typename Law::Kernel> kernels;
 
-  void work(Span &);                      // the forces of a part of the list
+  void work(Span &);    // the forces of a part of the list
+  Law read(PotdemInput &, POTDEM::Friction &) const;
   virtual void prepare(Law &) const {}    // what pair_style itself says about a law
   void allocate() override;
   std::string coeff_text(int pair) const override;
+  void reread(int pair, int narg, char **arg) override;
+  double *coeff_of_law(int pair, const std::string &) override;
   bool touching() const override { return Law::touching; }
   bool any_viscous() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }

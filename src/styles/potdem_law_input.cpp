@@ -5,7 +5,23 @@
 
 #include "potdem_law_input.h"
 
+#include <initializer_list>
+
 namespace LAMMPS_NS {
+
+namespace {
+  struct Named {
+    const char *name;
+    double *value;
+  };
+
+  double *find(std::initializer_list<Named> coefficients, const std::string &name)
+  {
+    for (const auto &one : coefficients)
+      if (name == one.name) return one.value;
+    return nullptr;
+  }
+}    // namespace
 
 /* ---------------------------------------------------------------------- */
 
@@ -28,6 +44,11 @@ std::string law_text(const POTDEM::TrussContact &law)
   if (law.m > 0)
     text += fmt::format(" penetration {}{}", law.m, law.normalized ? " normalized" : "");
   return text;
+}
+
+double *law_coefficient(POTDEM::TrussContact &law, const std::string &name)
+{
+  return find({{"E", &law.E}, {"a", &law.a}}, name);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -54,6 +75,13 @@ std::string law_text(const POTDEM::ShiftedLJ &law)
                      law.cut);
 }
 
+double *law_coefficient(POTDEM::ShiftedLJ &law, const std::string &name)
+{
+  return find(
+      {{"K0", &law.K0}, {"R", &law.R}, {"n", &law.n}, {"alpha", &law.alpha}, {"cut", &law.cut}},
+      name);
+}
+
 /* ---------------------------------------------------------------------- */
 
 void read_law(PotdemInput &input, POTDEM::RegularisedGranular &law)
@@ -77,6 +105,11 @@ std::string law_text(const POTDEM::RegularisedGranular &law)
   return fmt::format("{:.17g} {:.17g} {:.17g} cut {:.17g}", law.K0, law.n, law.alpha, law.cut);
 }
 
+double *law_coefficient(POTDEM::RegularisedGranular &law, const std::string &name)
+{
+  return find({{"K0", &law.K0}, {"n", &law.n}, {"alpha", &law.alpha}, {"cut", &law.cut}}, name);
+}
+
 /* ---------------------------------------------------------------------- */
 
 void read_law(PotdemInput &input, POTDEM::Hertz &law)
@@ -97,6 +130,11 @@ std::string law_text(const POTDEM::Hertz &law)
 {
   const double E = law.E > 0.0 ? law.E : 2.0 * law.modulus;
   return fmt::format("{:.17g} {:.17g} viscous {:.17g}", E, law.nu, law.H);
+}
+
+double *law_coefficient(POTDEM::Hertz &law, const std::string &name)
+{
+  return find({{"E", &law.E}, {"nu", &law.nu}, {"viscous", &law.H}}, name);
 }
 
 }    // namespace LAMMPS_NS

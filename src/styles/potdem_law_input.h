@@ -4,8 +4,9 @@
 ------------------------------------------------------------------------- */
 
 /* Reading and writing the coefficients of the contact laws, for pairs and for walls. For each law: the required
-   values, one optional keyword at a time, the keywords' names for the error message, and the text that
-   reads back as the same law. */
+   values, one optional keyword at a time, the keywords' names for the error message, the text that
+   reads back as the same law, and the coefficient of a given name (null: none), for fix adapt. A law whose coefficient
+   has been changed must be read back from its text, which checks it and completes what depends on it. */
 
 #ifndef LMP_POTDEM_LAW_INPUT_H
 #define LMP_POTDEM_LAW_INPUT_H
@@ -22,6 +23,7 @@ namespace LAMMPS_NS {
 void read_law(PotdemInput &, POTDEM::TrussContact &);
 bool read_option(PotdemInput &, POTDEM::TrussContact &);
 std::string law_text(const POTDEM::TrussContact &);
+double *law_coefficient(POTDEM::TrussContact &, const std::string &name);
 constexpr const char *option_names(const POTDEM::TrussContact &)
 {
   return "penetration";
@@ -31,6 +33,7 @@ constexpr const char *option_names(const POTDEM::TrussContact &)
 void read_law(PotdemInput &, POTDEM::ShiftedLJ &);
 bool read_option(PotdemInput &, POTDEM::ShiftedLJ &);
 std::string law_text(const POTDEM::ShiftedLJ &);
+double *law_coefficient(POTDEM::ShiftedLJ &, const std::string &name);
 constexpr const char *option_names(const POTDEM::ShiftedLJ &)
 {
   return "cut";
@@ -40,6 +43,7 @@ constexpr const char *option_names(const POTDEM::ShiftedLJ &)
 void read_law(PotdemInput &, POTDEM::RegularisedGranular &);
 bool read_option(PotdemInput &, POTDEM::RegularisedGranular &);
 std::string law_text(const POTDEM::RegularisedGranular &);
+double *law_coefficient(POTDEM::RegularisedGranular &, const std::string &name);
 constexpr const char *option_names(const POTDEM::RegularisedGranular &)
 {
   return "cut";
@@ -49,6 +53,7 @@ constexpr const char *option_names(const POTDEM::RegularisedGranular &)
 void read_law(PotdemInput &, POTDEM::Hertz &);
 bool read_option(PotdemInput &, POTDEM::Hertz &);
 std::string law_text(const POTDEM::Hertz &);
+double *law_coefficient(POTDEM::Hertz &, const std::string &name);
 constexpr const char *option_names(const POTDEM::Hertz &)
 {
   return "viscous";

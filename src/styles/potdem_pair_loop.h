@@ -38,8 +38,16 @@ template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
   PotdemInput input(lmp, fmt::format("pair_coeff {}", name()), narg, arg);
   int ilo, ihi, jlo, jhi;
   input.type_ranges(ilo, ihi, jlo, jhi);
-  Law law{};
   POTDEM::Friction slide;
+  const Law law = read(input, slide);
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = MAX(jlo, i); j <= jhi; j++) laws[at(i, j)] = laws[at(j, i)] = law;
+  set_coeff(ilo, ihi, jlo, jhi, slide);
+}
+
+template <class Law> Law PairPotdem<Law>::read(PotdemInput &input, POTDEM::Friction &slide) const
+{
+  Law law{};
   read_law(input, law);
   prepare(law);
   while (!input.done()) {
@@ -50,14 +58,24 @@ template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
       input.unknown(fmt::format("{} or friction", option_names(law)));
     }
   }
-  for (int i = ilo; i <= ihi; i++)
-    for (int j = MAX(jlo, i); j <= jhi; j++) laws[at(i, j)] = laws[at(j, i)] = law;
-  set_coeff(ilo, ihi, jlo, jhi, slide);
+  return law;
+}
+
+template <class Law> void PairPotdem<Law>::reread(int pair, int narg, char **arg)
+{
+  PotdemInput input(lmp, fmt::format("pair_style {}, coefficients changed by a fix", name()), narg,
+                    arg);
+  laws[pair] = read(input, friction[pair]);
 }
 
 template <class Law> std::string PairPotdem<Law>::coeff_text(int pair) const
 {
   return law_text(laws[pair]);
+}
+
+template <class Law> double *PairPotdem<Law>::coeff_of_law(int pair, const std::string &wanted)
+{
+  return law_coefficient(laws[pair], wanted);
 }
 
 template <class Law> double PairPotdem<Law>::init_one(int i, int j)
