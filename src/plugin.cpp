@@ -71,7 +71,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
          std::string(dlerror()) +
              ". " POTDEM_PLUGIN_STYLES
              " must lie beside the plugin, and LAMMPS must have the packages "
-             "MOLECULE and BPM");
+             "MOLECULE, BPM and OPENMP");
     return;
   }
   reinterpret_cast<lammpsplugin_initfunc>(init)(lmp, handle, regfunc);

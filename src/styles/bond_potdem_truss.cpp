@@ -5,6 +5,7 @@
 
 #include "bond_potdem_truss.h"
 
+#include "fix_potdem_failure.h"
 #include "lammps_compat.h"
 #include "laws/lattice_area.h"
 #include "laws/truss.h"
@@ -17,6 +18,7 @@
 #include "error.h"
 #include "force.h"
 #include "memory.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "update.h"
 
@@ -46,11 +48,22 @@ BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
 {
   partial_flag = 1;
   writedata = 1;
+  single_extra = NEXTRA;
+  svector = new double[NEXTRA];
 }
 
 BondPotdemTruss::~BondPotdemTruss()
 {
+  delete[] svector;
   if (allocated) memory->destroy(setflag);
+  for (auto &one : published) memory->destroy(one.values);
+}
+
+BondPotdemTruss *BondPotdemTruss::find(LAMMPS *lmp)
+{
+  for (const char *style : {"potdem/truss", "potdem/truss/omp"})
+    if (auto bond = lmp->force->bond_match(style)) return dynamic_cast<BondPotdemTruss *>(bond);
+  return nullptr;
 }
 
 void BondPotdemTruss::settings(int narg, char **arg)
@@ -79,6 +92,16 @@ void BondPotdemTruss::coeff(int narg, char **arg)
   PotdemInput input(lmp, "bond_coeff potdem/truss", narg, arg);
   int lo, hi;
   utils::bounds(FLERR, input.word(), 1, atom->nbondtypes, lo, hi, error);
+  const Coeff c = read(input);
+  for (int type = lo; type <= hi; type++) {
+    coeffs[type] = c;
+    setflag[type] = 1;
+  }
+  publish();
+}
+
+BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
+{
   Coeff c{};
   c.E = input.positive("E");
   if (!input.next_is("area")) {
@@ -104,10 +127,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
       input.unknown("penetration or damping");
     }
   }
-  for (int type = lo; type <= hi; type++) {
-    coeffs[type] = c;
-    setflag[type] = 1;
-  }
+  return c;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -134,6 +154,14 @@ void BondPotdemTruss::init_style()
   ledger = PotdemLedger::find(lmp);
   generation = -1;
 
+  for (int type = 1; type <= atom->nbondtypes; type++) adopt(type);
+  find_needs();
+  if (damped) comm->ghost_velocity = 1;
+  set_communication();
+}
+
+void BondPotdemTruss::find_needs()
+{
   hindered = damped = breakable = false;
   for (int type = 1; type <= atom->nbondtypes; type++) {
     if (!setflag[type]) continue;
@@ -145,8 +173,8 @@ void BondPotdemTruss::init_style()
   }
   tension2.assign(atom->nbondtypes + 1, UNBREAKABLE);
   compression2.assign(atom->nbondtypes + 1, 0.0);
-  if (damped) comm->ghost_velocity = 1;
-  set_communication();
+  for (const auto &fix : modify->get_fix_by_style("^potdem/failure$"))
+    dynamic_cast<FixPotdemFailure *>(fix)->strengthen(*this);
 }
 
 /* ----------------------------------------------------------------------
@@ -375,7 +403,20 @@ void BondPotdemTruss::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   refresh();
   over.clear();
-  (this->*(evflag ? tallied : quiet))();
+  Span all{0, atom->nlocal, atom->f, nullptr, {}};
+  work(all);
+  collect(all);
+}
+
+void BondPotdemTruss::work(Span &span)
+{
+  (this->*(evflag ? tallied : quiet))(span);
+}
+
+void BondPotdemTruss::collect(const Span &span)
+{
+  if (span.i >= 0) collapsed(span.i, span.j);
+  over.insert(over.end(), span.over.begin(), span.over.end());
 }
 
 void BondPotdemTruss::refresh()
@@ -409,18 +450,17 @@ template <bool HINDER, bool DAMP> void BondPotdemTruss::choose()
    the loop over bonds: one atom at a time, its force kept in registers
 ------------------------------------------------------------------------- */
 
-template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel()
+template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel(Span &span)
 {
   const auto *const x = (const double(*)[3]) atom->x[0];
   const auto *const v = (const double(*)[3]) atom->v[0];
-  auto *const f = (double(*)[3]) atom->f[0];
+  auto *const f = (double(*)[3]) span.f[0];
   const int *const partner = bonds.partner.data();
   const int *const type = bonds.type.data();
   const double *const inverse_length2 = bonds.inverse_length2.data();
   const double *const half_modulus = bonds.half_modulus.data();
-  const int nlocal = atom->nlocal;
 
-  for (int i = 0; i < nlocal; i++) {
+  for (int i = span.from; i < span.to; i++) {
     const int begin = bonds.first[i], end = bonds.first[i + 1], ghosts = bonds.ghosts[i];
     if (begin == end) continue;
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2];
@@ -429,15 +469,23 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
       const int j = partner[n];
       const double dx = x[j][0] - xi, dy = x[j][1] - yi, dz = x[j][2] - zi;
       const double r2 = dx * dx + dy * dy + dz * dz;
-      if (!(r2 > 0.0)) collapsed(i, j, r2);    // true for NaN as well
+      if (!(r2 > 0.0)) {    // true for NaN as well
+        span.i = i;
+        span.j = j;
+        return;
+      }
       const double q = r2 * inverse_length2[n];
-      if (FAIL && (q >= tension2[type[n]] || q <= compression2[type[n]])) over.push_back({i, n});
+      if (FAIL && (q >= tension2[type[n]] || q <= compression2[type[n]]))
+        span.over.push_back({i, n});
 
       // tension over distance; 2 eps = q - 1
       const double inverse_r = 1.0 / sqrt(r2);
       double pull = half_modulus[n] * (q - 1.0) * inverse_r;
       if (HINDER && coeffs[type[n]].m > 0) pull *= factors[type[n]].value(sqrt(q));
-      if (EV) tally(i, j, n, q, pull, dx, dy, dz);
+      if (EV) {
+        const double del[3] = {-dx, -dy, -dz};
+        tally(span, i, j, eflag_either ? energy_at(n, q) : 0.0, -pull, del);
+      }
       if (DAMP) {
         const double damp = bonds.dashpot[n] * inverse_r * inverse_r *
             ((v[j][0] - v[i][0]) * dx + (v[j][1] - v[i][1]) * dy + (v[j][2] - v[i][2]) * dz);
@@ -468,21 +516,21 @@ void BondPotdemTruss::note(int i, int j, double fx, double fy, double fz)
   if (j < atom->nlocal) ledger->add(PotdemLedger::VISCOUS, j, -fx, -fy, -fz);
 }
 
-void BondPotdemTruss::collapsed(int i, int j, double r2) const
+void BondPotdemTruss::collapsed(int i, int j) const
 {
   error->one(FLERR,
              "Bond between atoms {} and {} has length {} on step {}: its ends are at the same "
              "place or their positions "
              "are not finite; use a smaller timestep, or keep the ends apart with 'penetration' in "
              "bond_coeff",
-             atom->tag[i], atom->tag[j], sqrt(r2), update->ntimestep);
+             atom->tag[i], atom->tag[j], sqrt(distance2(atom->x[i], atom->x[j])),
+             update->ntimestep);
 }
 
-void BondPotdemTruss::tally(int i, int j, int n, double q, double pull, double dx, double dy,
-                            double dz)
+void BondPotdemTruss::tally(const Span &, int i, int j, double energy, double push,
+                            const double *del)
 {
-  const double energy = eflag_either ? energy_at(n, q) : 0.0;
-  ev_tally(i, j, atom->nlocal, 0, energy, -pull, -dx, -dy, -dz);
+  ev_tally(i, j, atom->nlocal, 0, energy, push, del[0], del[1], del[2]);
 }
 
 double BondPotdemTruss::energy_at(int n, double q) const
@@ -517,15 +565,67 @@ void BondPotdemTruss::cut(int i, tagint partner)
 double BondPotdemTruss::single(int type, double rsq, int i, int j, double &fforce)
 {
   fforce = 0.0;
+  std::fill(svector, svector + single_extra, 0.0);
   if (type <= 0) return 0.0;
   const int owned = i < atom->nlocal ? i : j, other = owned == i ? j : i;
   const int slot = bond_store->slot(owned, atom->tag[other]);
   if (slot < 0 || bond_store->length(owned, slot) <= 0.0) return 0.0;
-  const double r = sqrt(rsq);
-  const auto at =
-      law(type, r, bond_store->length(owned, slot), coeffs[type].E * section(type, owned, slot));
+  const double r = sqrt(rsq), re = bond_store->length(owned, slot);
+  const double area = section(type, owned, slot);
+  const auto at = law(type, r, re, coeffs[type].E * area);
   fforce = at.force / r;
+  svector[STRAIN] = POTDEM::truss_strain(rsq / (re * re));
+  svector[STRESS] = -at.force / area;
+  svector[SECTION] = area;
+  svector[REFERENCE] = re;
   return at.energy;
+}
+
+/* ----------------------------------------------------------------------
+   fix adapt changes the values that extract() gives it, and has init() called
+------------------------------------------------------------------------- */
+
+void *BondPotdemTruss::extract(const char *str, int &dim)
+{
+  dim = 1;
+  const std::string wanted = str;
+  if (!allocated || !coeff_named(1, wanted)) return nullptr;
+  if (wanted == "damping") comm->ghost_velocity = 1;    // may be zero until now
+  for (const auto &one : published)
+    if (one.name == wanted) return one.values;
+  published.push_back({wanted, nullptr});
+  memory->create(published.back().values, atom->nbondtypes + 1, "bond:published");
+  publish();
+  return published.back().values;
+}
+
+double *BondPotdemTruss::coeff_named(int type, const std::string &wanted)
+{
+  if (wanted == "E") return &coeffs[type].E;
+  if (wanted == "damping") return &coeffs[type].xi;
+  return nullptr;
+}
+
+void BondPotdemTruss::publish()
+{
+  for (auto &one : published)
+    for (int type = 1; type <= atom->nbondtypes; type++)
+      one.values[type] = *coeff_named(type, one.name);
+}
+
+void BondPotdemTruss::adopt(int type)
+{
+  bool changed = false;
+  for (const auto &one : published) {
+    double &value = *coeff_named(type, one.name);
+    changed = changed || value != one.values[type];
+    value = one.values[type];
+  }
+  if (!changed) return;
+  PotdemWords words(coeff_line(type));
+  PotdemInput input(lmp, "bond_style potdem/truss, coefficients changed by a fix", words.narg(),
+                    words.arg());
+  coeffs[type] = read(input);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -544,16 +644,21 @@ void BondPotdemTruss::read_restart(FILE *fp)
   std::fill(setflag + 1, setflag + n + 1, 1);
 }
 
+// as bond_coeff takes it
+std::string BondPotdemTruss::coeff_line(int type) const
+{
+  const Coeff &c = coeffs[type];
+  std::string line = fmt::format("{:.17g} area ", c.E);
+  line += c.mode == LATTICE ? "lattice" : fmt::format("factor {:.17g}", c.area);
+  if (c.m > 0) line += fmt::format(" penetration {}{}", c.m, c.normalized ? " normalized" : "");
+  if (c.xi != 0.0) line += fmt::format(" damping {:.17g}", c.xi);
+  return line;
+}
+
 void BondPotdemTruss::write_data(FILE *fp)
 {
-  for (int type = 1; type <= atom->nbondtypes; type++) {
-    const Coeff &c = coeffs[type];
-    std::string line = fmt::format("{} {:.17g} area ", type, c.E);
-    line += c.mode == LATTICE ? "lattice" : fmt::format("factor {:.17g}", c.area);
-    if (c.m > 0) line += fmt::format(" penetration {}{}", c.m, c.normalized ? " normalized" : "");
-    if (c.xi > 0.0) line += fmt::format(" damping {:.17g}", c.xi);
-    utils::print(fp, "{}\n", line);
-  }
+  for (int type = 1; type <= atom->nbondtypes; type++)
+    utils::print(fp, "{} {}\n", type, coeff_line(type));
 }
 
 double BondPotdemTruss::memory_usage()

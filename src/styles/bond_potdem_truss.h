@@ -11,6 +11,7 @@
 
 #include "bond.h"
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -28,9 +29,13 @@ class BondPotdemTruss : public Bond {
   void read_restart(FILE *) override;
   void write_data(FILE *) override;
   double single(int, double, int, int, double &) override;
+  void *extract(const char *, int &) override;
   double memory_usage() override;
 
-  // for fix potdem/failure. Strengths are stresses, < 0: none; they hold until the next init().
+  static BondPotdemTruss *find(class LAMMPS *);    // the style in use, on threads or not; or null
+
+  // for fix potdem/failure. Strengths are stresses, < 0: none; they hold until the next init(), which asks
+  // the fixes for them.
   double modulus(int type) const { return coeffs[type].E; }
   void set_strength(int type, double tension, double compression);
 
@@ -75,10 +80,34 @@ class BondPotdemTruss : public Bond {
   int generation;
   double longest, cutghost_own;
 
-  typedef void (BondPotdemTruss::*Kernel)();
+  // the atoms that one thread does, where their forces go, and what it found
+  struct Span {
+    int from, to;
+    double **f;
+    class ThrData *thread;              // null: no threads
+    std::vector<Overstretched> over;    // bonds that fail
+    int i = -1, j = -1;                 // a bond without length
+  };
+  typedef void (BondPotdemTruss::*Kernel)(Span &);
   Kernel quiet, tallied;
 
+  // the columns that single() adds, for compute bond/local
+  enum { STRAIN, STRESS, SECTION, REFERENCE, NEXTRA };
+
+  // a coefficient of all types as fix adapt wants it
+  struct Published {
+    std::string name;
+    double *values;
+  };
+  std::vector<Published> published;
+
   void allocate();
+  Coeff read(class PotdemInput &) const;
+  std::string coeff_line(int type) const;
+  double *coeff_named(int type, const std::string &);    // null: no such one
+  void publish();
+  void adopt(int type);
+  void find_needs();
   void set_communication();
   double estimate_longest() const;
   void pack();
@@ -93,10 +122,12 @@ class BondPotdemTruss : public Bond {
 
   void choose_kernels();
   template <bool HINDER, bool DAMP> void choose();
-  template <bool EV, bool FAIL, bool HINDER, bool DAMP> void kernel();
+  template <bool EV, bool FAIL, bool HINDER, bool DAMP> void kernel(Span &);
   void note(int i, int j, double fx, double fy, double fz);
-  [[noreturn]] void collapsed(int i, int j, double r2) const;
-  void tally(int i, int j, int n, double q, double pull, double dx, double dy, double dz);
+  void work(Span &);
+  void collect(const Span &);
+  [[noreturn]] void collapsed(int i, int j) const;
+  virtual void tally(const Span &, int i, int j, double energy, double push, const double *del);
 };
 
 }    // namespace LAMMPS_NS

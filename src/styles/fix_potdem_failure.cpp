@@ -79,7 +79,7 @@ int FixPotdemFailure::setmask()
 
 void FixPotdemFailure::init()
 {
-  bond = dynamic_cast<BondPotdemTruss *>(force->bond_match("potdem/truss"));
+  bond = BondPotdemTruss::find(lmp);
   if (!bond) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
   for (const auto &other : modify->get_fix_by_style("^potdem/failure$"))
     if (other != this && dynamic_cast<FixPotdemFailure *>(other)->btype == btype)
@@ -89,7 +89,11 @@ void FixPotdemFailure::init()
                  "use another bond type or one fix",
                  id, other->id, btype);
   bond_store = PotdemBondStore::find(lmp);
-  bond->set_strength(btype, tension, compression);
+}
+
+void FixPotdemFailure::strengthen(BondPotdemTruss &truss) const
+{
+  truss.set_strength(btype, tension, compression);
 }
 
 // unlike its base class, it works with bonded pairs left out of the neighbour list altogether (the bond

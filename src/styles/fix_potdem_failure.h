@@ -17,6 +17,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   FixPotdemFailure(class LAMMPS *, int, char **);
   int setmask() override;
   void init() override;
+  void strengthen(class BondPotdemTruss &) const;    // by the strengths given
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;

@@ -5,6 +5,7 @@
 
 #include "pair_potdem.h"
 
+#include "bond_potdem_truss.h"
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
@@ -93,7 +94,7 @@ void PairPotdemBase::init_style()
                "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere",
                name());
   // after a restart the pair style is the first to ask for it
-  bond_store = force->bond_match("potdem/truss") ? PotdemBondStore::ensure(lmp) : nullptr;
+  bond_store = BondPotdemTruss::find(lmp) ? PotdemBondStore::ensure(lmp) : nullptr;
   ledger = PotdemLedger::find(lmp);
   find_diameters();
   find_needs();
@@ -312,10 +313,10 @@ void PairPotdemBase::adopt(int i, int j)
     value = one.values[i][j];
   }
   if (!changed) return;
-  auto words = utils::split_words(coeff_line(at(i, j)));
-  std::vector<char *> arg;
-  for (auto &word : words) arg.push_back(&word[0]);
-  reread(at(i, j), arg.size(), arg.data());
+  PotdemWords words(coeff_line(at(i, j)));
+  PotdemInput input(lmp, fmt::format("pair_style {}, coefficients changed by a fix", name()),
+                    words.narg(), words.arg());
+  reread(at(i, j), input);
   find_needs();
   const double now = reach(i, j, largest_radius[i] + largest_radius[j]);
   if (now * now > cutsq[i][j])

@@ -89,9 +89,10 @@ class PairPotdemBase : public Pair {
   virtual bool read_setting(PotdemInput &) { return false; }
   virtual const char *setting_names() const { return "rotation"; }
   virtual int *extra_setting() { return nullptr; }    // one flag of the style, for restart files
+  virtual void work(Span &) = 0;                      // the forces of a part of the list
   virtual void mix(int i, int j) = 0;
   virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
-  virtual void reread(int pair, int narg, char **arg) = 0;            // coefficients with friction
+  virtual void reread(int pair, PotdemInput &) = 0;      // coefficients with friction
   virtual double *coeff_of_law(int pair, const std::string &) = 0;    // null: no such one
   virtual bool touching() const = 0;
   virtual bool any_viscous() const = 0;
@@ -138,7 +139,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   virtual void prepare(Law &) const {}    // what pair_style itself says about a law
   void allocate() override;
   std::string coeff_text(int pair) const override;
-  void reread(int pair, int narg, char **arg) override;
+  void reread(int pair, PotdemInput &) override;
   double *coeff_of_law(int pair, const std::string &) override;
   bool touching() const override { return Law::touching; }
   bool any_viscous() const override;

@@ -17,10 +17,10 @@ bool PairPotdemHertz::read_setting(PotdemInput &input)
   return true;
 }
 
-// 5.15b for the elastic part, the mean for the viscous one
+// 5.15b for the elastic part, the mean for the viscous one; kept as two equal materials with that contact modulus
 void PairPotdemHertz::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
-  laws[at(i, j)] = {0.0, 0.0, POTDEM::contact_modulus(a.E, a.nu, b.E, b.nu), 0.5 * (a.H + b.H),
-                    a.attract || b.attract};
+  const double modulus = POTDEM::contact_modulus(a.E, a.nu, b.E, b.nu);
+  laws[at(i, j)] = {2.0 * modulus, 0.0, modulus, 0.5 * (a.H + b.H), a.attract || b.attract};
 }

@@ -42,6 +42,11 @@ void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &re
 
 /* ---------------------------------------------------------------------- */
 
+PotdemWords::PotdemWords(const std::string &text) : words(utils::split_words(text))
+{
+  for (auto &word : words) pointers.push_back(&word[0]);
+}
+
 PotdemInput::PotdemInput(LAMMPS *lmp, std::string _command, int _narg, char **_arg) :
     Pointers(lmp), command(std::move(_command)), narg(_narg), at(0), arg(_arg)
 {

@@ -13,6 +13,7 @@
 #include "pointers.h"
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -23,6 +24,18 @@ void potdem_refuse_respa(LAMMPS *lmp, const std::string &command);
 // own bookkeeping (upper case) and the styles that `may_follow` (a pattern) names
 void potdem_require_last(LAMMPS *lmp, class Fix *fix, const std::string &reason,
                          const std::string &may_follow);
+
+// a text as the arguments of a command
+class PotdemWords {
+ public:
+  explicit PotdemWords(const std::string &text);
+  int narg() const { return static_cast<int>(words.size()); }
+  char **arg() { return pointers.data(); }
+
+ private:
+  std::vector<std::string> words;
+  std::vector<char *> pointers;
+};
 
 class PotdemInput : protected Pointers {
  public:

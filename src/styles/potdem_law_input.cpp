@@ -125,11 +125,9 @@ bool read_option(PotdemInput &input, POTDEM::Hertz &law)
   return true;
 }
 
-// a mixed pair is written as two equal materials that have its contact modulus
 std::string law_text(const POTDEM::Hertz &law)
 {
-  const double E = law.E > 0.0 ? law.E : 2.0 * law.modulus;
-  return fmt::format("{:.17g} {:.17g} viscous {:.17g}", E, law.nu, law.H);
+  return fmt::format("{:.17g} {:.17g} viscous {:.17g}", law.E, law.nu, law.H);
 }
 
 double *law_coefficient(POTDEM::Hertz &law, const std::string &name)

@@ -23,7 +23,7 @@ PotdemLedger *PotdemLedger::find(LAMMPS *lmp)
 }
 
 PotdemLedger::PotdemLedger(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), wall_power(0.0), slip_power(), booked(), rate()
+    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), booked(), rate()
 {
   comm_reverse = WIDTH;
   restart_global = 1;
@@ -37,6 +37,7 @@ int PotdemLedger::setmask()
 void PotdemLedger::init()
 {
   nevery = 1;
+  threads = comm->nthreads > 1;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -40,15 +40,15 @@ class PotdemLedger : public Fix {
 
   void add(Kind kind, int i, double fx, double fy, double fz)
   {
-    auto &force = forces[i];
-    force[3 * kind] += fx;
-    force[3 * kind + 1] += fy;
-    force[3 * kind + 2] += fz;
+    double *force = forces[i].data() + 3 * kind;
+    add(force[0], fx);
+    add(force[1], fy);
+    add(force[2], fz);
   }
 
   void add_torque(int i, double arm, const double *turn)    // of friction: arm * turn
   {
-    for (int k = 0; k < 3; k++) forces[i][3 * NKINDS + k] += arm * turn[k];
+    for (int k = 0; k < 3; k++) add(forces[i][3 * NKINDS + k], arm * turn[k]);
   }
 
   // a wall that moves with velocity u pushes with f: its work, and what of it is friction or viscous heat
@@ -62,9 +62,19 @@ class PotdemLedger : public Fix {
  private:
   static constexpr int WIDTH = 3 * NKINDS + 3;
   std::vector<std::array<double, WIDTH>> forces;    // owned and ghost particles
+  bool threads;                                     // two of them may note forces on one particle
   double wall_power, slip_power[NKINDS];
   std::array<double, NKINDS + 1> booked, rate;    // rate: power of the latest step
 
+  void add(double &sum, double part) const
+  {
+    if (threads) {
+#pragma omp atomic
+      sum += part;
+    } else {
+      sum += part;
+    }
+  }
   std::array<double, NKINDS + 1> powers();
 };
 

@@ -61,10 +61,8 @@ template <class Law> Law PairPotdem<Law>::read(PotdemInput &input, POTDEM::Frict
   return law;
 }
 
-template <class Law> void PairPotdem<Law>::reread(int pair, int narg, char **arg)
+template <class Law> void PairPotdem<Law>::reread(int pair, PotdemInput &input)
 {
-  PotdemInput input(lmp, fmt::format("pair_style {}, coefficients changed by a fix", name()), narg,
-                    arg);
   laws[pair] = read(input, friction[pair]);
 }
 

@@ -5,11 +5,16 @@
 // clang-format off
 #ifdef PAIR_CLASS
 PairStyle(potdem/granular,PairPotdemGranular);
+PairStyle(potdem/granular/omp,PairPotdemGranularOMP);
 PairStyle(potdem/hertz,PairPotdemHertz);
+PairStyle(potdem/hertz/omp,PairPotdemHertzOMP);
 PairStyle(potdem/lj,PairPotdemLJ);
+PairStyle(potdem/lj/omp,PairPotdemLJOMP);
 PairStyle(potdem/truss,PairPotdemTruss);
+PairStyle(potdem/truss/omp,PairPotdemTrussOMP);
 #elif defined(BOND_CLASS)
 BondStyle(potdem/truss,BondPotdemTruss);
+BondStyle(potdem/truss/omp,BondPotdemTrussOMP);
 #elif defined(FIX_CLASS)
 FixStyle(potdem/damping,FixPotdemDamping);
 FixStyle(potdem/failure,FixPotdemFailure);
@@ -26,6 +31,7 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #ifndef LMP_POTDEM_STYLES_H
 #define LMP_POTDEM_STYLES_H
 #include "bond_potdem_truss.h"
+#include "bond_potdem_truss_omp.h"
 #include "compute_potdem_energy.h"
 #include "compute_potdem_strain_atom.h"
 #include "fix_potdem_damping.h"
@@ -34,6 +40,7 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #include "pair_potdem_granular.h"
 #include "pair_potdem_hertz.h"
 #include "pair_potdem_lj.h"
+#include "pair_potdem_omp.h"
 #include "pair_potdem_truss.h"
 #include "potdem_bond_store.h"
 #include "potdem_bonds.h"

@@ -201,3 +201,80 @@ def test_a_bond_across_the_boundary_breaks_once(run_lammps, tmp_path, nprocs):
     assert run.thermo["f_failure"][-1] == 1 and run.thermo["Bonds"][-1] == 0
     assert run.thermo["PotEng"][-1] == 0.0
     assert abs(rows[0, 4]) == pytest.approx(5.0, abs=0.2)    # the middle of the bond, not of the box
+
+
+# --- threads ---------------------------------------------------------------------------------------------
+
+def threaded(script, threads=2):
+    return f"package omp {threads}\nsuffix omp\n" + script
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("options", ["damping 0.02", "penetration 2"])
+def test_same_trajectory_on_threads(run_lammps, tmp_path, options, nprocs):
+    """bonds, and contacts of two bodies: forces, energy, virial, per-atom stress"""
+    script = body(options=options)
+    script += "region low block INF INF INF INF INF 0\ngroup low region low\ngroup high subtract all low\n"
+    script += "potdem_bonds low 1 1.42\npotdem_bonds high 1 1.42\ncompute s all stress/atom NULL\n"
+    script += "compute square all reduce sumsq c_s[1] c_s[5]\n"
+    script += vibrate(more="thermo_style custom step pe ke pxx pyz c_square[1] c_square[2] evdwl\n"
+                           "thermo_modify format float %.17g\nvelocity high set 0 0 -1 sum yes\nthermo 5")
+    one, run = end_state(run_lammps, tmp_path, script, 1)
+    state, other = end_state(run_lammps, tmp_path, threaded(script), nprocs)
+    assert "potdem/truss/omp" in other.stdout
+    assert np.abs(state - one).max() < RANKS_AGREE
+    assert run.thermo["E_vdwl"].max() > 0
+    for column in ("PotEng", "KinEng", "Pxx", "Pyz", "c_square[1]", "c_square[2]", "E_vdwl"):
+        scale = np.abs(run.thermo[column]).max()
+        assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale
+
+
+def test_same_bonds_break_on_threads(run_lammps, tmp_path):
+    script = pulled_bar() + "run 60\n"
+    run_lammps(script)
+    one = events(tmp_path)
+    run_lammps(threaded(script, 3))
+    other = events(tmp_path)
+    assert pairs(other) == pairs(one)
+    assert np.abs(other - one).max() < RANKS_AGREE
+
+
+GRAINS = {
+    "potdem/hertz rotation yes": "1000 0.3 viscous 1e-3 friction 0.3 auto",
+    "potdem/truss": "1000 0.5 friction 0.3 5",
+    "potdem/lj": "300 0.2 3 0.2",
+    "potdem/granular rotation yes": "300 3 0.2 friction 0.3 5",
+}
+
+
+@pytest.mark.parametrize("style", GRAINS)
+def test_same_grains_on_threads(run_lammps, tmp_path, style):
+    """a shaken heap with friction, spin and the ledger"""
+    script = scripts.box(7) + "bond_style none\nregion heap block -2 2 -2 2 -2 2\n" + scripts.crystal(
+        region="heap", diameter=1.03) + f"""
+pair_style {style}
+pair_coeff * * {GRAINS[style]}
+{scripts.velocities_by_formula(0.5)}
+fix move all nve/sphere
+compute books all potdem/energy
+timestep 0.002
+thermo 50
+thermo_style custom step pe ke c_books[*] pxy
+thermo_modify format float %.17g
+{scripts.write_dump("start.dump", "x y z")}
+run 200
+""" + scripts.write_dump("end.dump", "xu yu zu vx vy vz")
+    one, run = end_state(run_lammps, tmp_path, script, 1)
+    state, other = end_state(run_lammps, tmp_path, threaded(script), 1)
+    assert f"{style.split()[0]}/omp" in other.stdout
+    assert np.abs(state - one).max() < RANKS_AGREE
+    for column in run.thermo:
+        if column != "Step":
+            scale = max(1.0, np.abs(run.thermo[column]).max())
+            assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale
+
+
+def test_collapse_on_threads_is_one_error(run_lammps):
+    script = scripts.box(20) + "bond_style none\n" + scripts.particles([(0, 0, 0, 1.0), (0.5, 0, 0, 1.0)])
+    script += "pair_style potdem/lj\npair_coeff * * 300 0.2 3 0.2\nrun 0\n"
+    run_lammps(threaded(script), expect_error="atoms 1 and 2 are 0.5 apart")
