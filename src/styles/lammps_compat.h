@@ -34,6 +34,14 @@ namespace PotdemCompat {
     minimum_image(domain, del, 0);
   }
 
+  // LAMMPS of 2025 asks a pair style for cutoffs by size (atom2cut, radii2cut) if it says that it has them
+  template <class P> auto has_cutoffs_by_size(P *pair, int) -> decltype(pair->finitecutflag, void())
+  {
+    pair->finitecutflag = 1;
+  }
+
+  template <class P> void has_cutoffs_by_size(P *, long) {}
+
 }    // namespace PotdemCompat
 }    // namespace LAMMPS_NS
 

@@ -6,6 +6,7 @@
 #include "pair_potdem.h"
 
 #include "bond_potdem_truss.h"
+#include "lammps_compat.h"
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
@@ -98,12 +99,24 @@ void PairPotdemBase::init_style()
   ledger = PotdemLedger::find(lmp);
   find_diameters();
   find_needs();
+  if (touching()) PotdemCompat::has_cutoffs_by_size(this, 0);
   if (rotation && !(atom->omega_flag && atom->torque_flag))
     error->all(FLERR,
                "pair_style {}: rotation needs an atom style with spin, e.g. atom_style sphere",
                name());
   if (sliding || viscous) comm->ghost_velocity = 1;
   neighbor->add_request(this, touching() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
+}
+
+// for neighbor multi with collections by size
+double PairPotdemBase::atom2cut(int i)
+{
+  return 2.0 * atom->radius[i];
+}
+
+double PairPotdemBase::radii2cut(double ri, double rj)
+{
+  return ri + rj;
 }
 
 void PairPotdemBase::find_needs()

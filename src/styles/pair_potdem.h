@@ -48,6 +48,9 @@ class PairPotdemBase : public Pair {
   void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
   void *extract(const char *, int &) override;
+  // no override: not all LAMMPS versions have these two
+  double atom2cut(int);
+  double radii2cut(double, double);
 
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types

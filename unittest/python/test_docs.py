@@ -59,12 +59,17 @@ def registered_styles():
     return [(kind, name) for kind, name in found if not name.isupper()]
 
 
+def accelerated(name):
+    return name.endswith("/omp")
+
+
 def page_of(kind, name):
     stem = re.sub(r"\W", "_", name)
     return DOCS / f"{stem if kind == 'command' else f'{kind}_{stem}'}.md"
 
 
-STYLES = registered_styles()
+STYLES = [(kind, name) for kind, name in registered_styles() if not accelerated(name)]
+VARIANTS = [(kind, name) for kind, name in registered_styles() if accelerated(name)]
 PAGES = sorted(DOCS.glob("*.md"))
 
 
@@ -123,6 +128,12 @@ def test_style_has_a_page_with_its_sections_in_order(kind, name):
     assert name in text.splitlines()[0]
     assert page.name in (DOCS / "index.md").read_text(encoding="utf-8")
     assert f"docs/{page.name}" in README.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("kind, name", VARIANTS, ids=[f"{kind}-{name}" for kind, name in VARIANTS])
+def test_page_names_the_variant_on_threads(kind, name):
+    text = page_of(kind, name.removesuffix("/omp")).read_text(encoding="utf-8")
+    assert f"Accelerator variant: *{name}*" in text.splitlines()
 
 
 @pytest.mark.parametrize("kind, name", STYLES, ids=[f"{kind}-{name}" for kind, name in STYLES])

@@ -1,6 +1,8 @@
 """potdem/lj, potdem/granular, potdem/hertz and potdem/truss in LAMMPS against the formulas of pair_formulas.py:
 forces, energies, virial, mixing, data and restart files, hybrid styles, neighbour lists, ranks."""
 
+import re
+
 import numpy as np
 import pytest
 import scripts
@@ -484,3 +486,34 @@ def test_failure_while_overlapping_makes_no_energy(run_lammps):
     assert run.thermo["f_failure"][-1] == 1
     # second order in the step, 1e-5 of periods of 0.1
     assert np.abs(total - total[0]).max() < 1e-5 * run.thermo["KinEng"][0]
+
+
+def test_collections_by_size_find_the_same_pairs(run_lammps, tmp_path):
+    """neighbor multi with collections by diameter, one type, ratio 1:20: the same forces with fewer ghosts"""
+    script = """
+units lj
+boundary p p p
+atom_style sphere
+region box block 0 60 0 60 0 60
+create_box 1 box
+create_atoms 1 random 3000 1234 NULL
+create_atoms 1 random 12 777 NULL
+group big id > 3000
+set group all diameter 1.0
+set group big diameter 20.0
+set group all density 1.0
+pair_style potdem/hertz
+pair_coeff * * 10 0.3
+"""
+    ordinary = run_lammps(script + "neighbor 0.3 bin\n" + "run 0\n" + scripts.write_dump("f.dump", "fx fy fz"))
+    force = scripts.read_dump(tmp_path / "f.dump")[0][1]
+    multi = "neighbor 0.3 multi\nneigh_modify collection/interval 2 1.0 20.0\ncomm_modify mode multi\n"
+    sorted_by_size = run_lammps(script + multi + "run 0\n" + scripts.write_dump("f.dump", "fx fy fz"))
+    force_multi = scripts.read_dump(tmp_path / "f.dump")[0][1]
+    for column in ("fx", "fy", "fz"):
+        assert np.abs(force_multi[column] - force[column]).max() < 1e-12 * np.abs(force[column]).max()
+    assert ghosts(sorted_by_size) < 0.7 * ghosts(ordinary)
+
+
+def ghosts(run):
+    return float(re.search(r"Nghost: +(\S+) ave", run.log).group(1))
