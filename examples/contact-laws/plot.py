@@ -2,7 +2,6 @@
 """plot.py FOLDER PICTURE.png: energy, force and stiffness of a run (build/examples/contact-laws/<law>.np1) over the
 formula. Ends with an error where LAMMPS and the formula differ by more than the tolerance."""
 
-import re
 import sys
 from pathlib import Path
 
@@ -25,9 +24,8 @@ QUANTITIES = ((r"energy $\Phi$", "mJ", 1e3), ("force $F$, > 0 repels", "N", 1.0)
 
 
 def parameters(text):
-    """the PARAMETERS line of the log"""
-    line = re.search(r"^PARAMETERS (.*)$", text, re.MULTILINE).group(1)
-    words = dict(word.split("=") for word in line.split())
+    """name of the law, and its coefficients"""
+    words = logfile.parameters(text)
     return words.pop("law"), {name: float(value) for name, value in words.items()}
 
 

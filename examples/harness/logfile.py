@@ -69,6 +69,14 @@ def version(text):
     return match.group(1).replace(" ", "")
 
 
+def parameters(text):
+    """name -> text, of the line "PARAMETERS name=value ..." that a script prints"""
+    match = re.search(r"^PARAMETERS (.*)$", text, re.MULTILINE)
+    if not match:
+        raise LogError("no line PARAMETERS")
+    return dict(word.split("=") for word in match.group(1).split())
+
+
 def error_message(text):
     """the text of the first ERROR, its lines joined, without the place in LAMMPS's source; or None"""
     match = re.search(r"^ERROR[^:\n]*: (.*?)(?:\s\(\S*:\d+\)|\nLast (?:input|command)|\Z)", text,

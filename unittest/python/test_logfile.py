@@ -64,3 +64,13 @@ def test_error_message_is_one_line():
 def test_error_message_of_lammps(run_lammps):
     run = run_lammps("units si\npair_style no/such/style\n", expect_error="no/such/style")
     assert run.error.startswith("Unrecognized pair style")
+
+
+def test_parameters_are_those_printed_not_those_of_the_script():
+    echo = 'print "PARAMETERS law=${law} d=$d"\n'
+    assert logfile.parameters(echo + "PARAMETERS law=lj d=0.005\n") == {"law": "lj", "d": "0.005"}
+
+
+def test_log_without_parameters():
+    with pytest.raises(logfile.LogError, match="PARAMETERS"):
+        logfile.parameters("run 0\n")
