@@ -48,7 +48,7 @@ BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
 {
   partial_flag = 1;
   writedata = 1;
-  single_extra = NEXTRA;
+  single_extra = PotdemCompat::columns_in_single(lmp, force->bond_style) ? NEXTRA : 0;
   svector = new double[NEXTRA];
 }
 

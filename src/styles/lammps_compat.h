@@ -10,7 +10,9 @@
 
 #include "domain.h"
 #include "error.h"    // IWYU pragma: keep
+#include "lammps.h"
 
+#include <cstring>
 #include <utility>
 
 namespace LAMMPS_NS {
@@ -41,6 +43,13 @@ namespace PotdemCompat {
   }
 
   template <class P> void has_cutoffs_by_size(P *, long) {}
+
+  // For a style that is being made, and the style that it will be part of, if any: may single() have columns of its
+  // own? Up to 2025 'hybrid' reads them without end; hybrid/overlay does not.
+  inline bool columns_in_single(const LAMMPS *lmp, const char *whole)
+  {
+    return !whole || strcmp(whole, "hybrid") != 0 || lmp->num_ver >= 20260101;
+  }
 
 }    // namespace PotdemCompat
 }    // namespace LAMMPS_NS

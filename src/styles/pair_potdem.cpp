@@ -33,7 +33,7 @@ PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
 {
   writedata = 1;
   single_enable = 1;
-  single_extra = NEXTRA;
+  single_extra = PotdemCompat::columns_in_single(lmp, force->pair_style) ? NEXTRA : 0;
   svector = new double[NEXTRA];
 }
 

@@ -65,6 +65,16 @@ def test_a_pair_of_types_left_to_another_style(run_lammps, tmp_path):
     assert np.all(np.abs(difference[[0, 2, 4]]) < 1e-13 * np.abs(full[:, 6:]).max())
 
 
+def test_single_in_hybrid(run_lammps, tmp_path):
+    """LAMMPS's own pair_style hybrid up to 2025 crashes on columns of a sub-style: it is not offered them"""
+    sums = "compute c all pair/local {}\ncompute s all reduce sum c_c inputs local\nthermo_style custom step c_s\n"
+    sums += "thermo_modify format float %.17g\nrun 0\n"
+    energies = [run_lammps(scene(style, prefix).replace("run 100", sums.format("eng"))).thermo["c_s"][-1]
+                for style, prefix in (("potdem/truss", ""), ("hybrid potdem/truss", "potdem/truss "))]
+    assert energies[1] == pytest.approx(energies[0], rel=1e-12) and energies[0] > 0.0
+    run_lammps(scene("hybrid/overlay potdem/truss", "potdem/truss ").replace("run 100", sums.format("p1")))
+
+
 def test_hybrid_in_parallel(run_lammps, tmp_path):
     script = scene("hybrid/overlay potdem/truss zero 2.0", "potdem/truss ", "pair_coeff * * zero\n", bonds=True)
     one, _ = end(run_lammps, tmp_path, script)
