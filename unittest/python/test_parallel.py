@@ -247,10 +247,11 @@ GRAINS = {
 }
 
 
+@pytest.mark.parametrize("nprocs, newton", [(1, None), (2, "off off")])
 @pytest.mark.parametrize("style", GRAINS)
-def test_same_grains_on_threads(run_lammps, tmp_path, style):
+def test_same_grains_on_threads(run_lammps, tmp_path, style, nprocs, newton):
     """a shaken heap with friction, spin and the ledger"""
-    script = scripts.box(7) + "bond_style none\nregion heap block -2 2 -2 2 -2 2\n" + scripts.crystal(
+    script = "bond_style none\nregion heap block -2 2 -2 2 -2 2\n" + scripts.crystal(
         region="heap", diameter=1.03) + f"""
 pair_style {style}
 pair_coeff * * {GRAINS[style]}
@@ -264,8 +265,8 @@ thermo_modify format float %.17g
 {scripts.write_dump("start.dump", "x y z")}
 run 200
 """ + scripts.write_dump("end.dump", "xu yu zu vx vy vz")
-    one, run = end_state(run_lammps, tmp_path, script, 1)
-    state, other = end_state(run_lammps, tmp_path, threaded(script), 1)
+    one, run = end_state(run_lammps, tmp_path, scripts.box(7) + script, 1)
+    state, other = end_state(run_lammps, tmp_path, threaded(scripts.box(7, newton=newton) + script), nprocs)
     assert f"{style.split()[0]}/omp" in other.stdout
     assert np.abs(state - one).max() < RANKS_AGREE
     for column in run.thermo:
