@@ -5,8 +5,9 @@
 POTDEM_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export POTDEM_BUILD=$POTDEM_ROOT/build
 export POTDEM_PYTHON=/usr/bin/python3
-POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev curl ca-certificates
-                 python3 python3-numpy python3-scipy python3-matplotlib python3-yaml python3-pytest)
+POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev libgmock-dev libyaml-dev
+                 curl ca-certificates python3 python3-numpy python3-scipy python3-matplotlib python3-yaml
+                 python3-pytest)
 
 die() {
   printf '%s\n' "$*" >&2

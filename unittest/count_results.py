@@ -9,15 +9,20 @@ from pathlib import Path
 
 
 def count(path):
-    """passed, failed and skipped tests of one file"""
-    failed = skipped = total = 0
+    """passed, failed and skipped tests of one file; the skipped ones are printed with their reasons"""
+    failed = total = 0
+    skipped = {}
     for case in ElementTree.parse(path).getroot().iter("testcase"):
         total += 1
         if case.find("failure") is not None or case.find("error") is not None:
             failed += 1
-        elif case.find("skipped") is not None or case.get("result") == "skipped":
-            skipped += 1
-    return total - failed - skipped, failed, skipped
+        elif case.find("skipped") is not None:
+            reason = case.find("skipped").get("message") or "no reason given"
+            skipped.setdefault(reason, []).append(f"{case.get('classname')}.{case.get('name')}")
+    for reason, names in skipped.items():
+        print(f"skipped, {reason}: {', '.join(names)}")
+    number = sum(map(len, skipped.values()))
+    return total - failed - number, failed, number
 
 
 def count_program(status, path):
