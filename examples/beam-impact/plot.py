@@ -12,7 +12,6 @@ from matplotlib.colors import Normalize, to_rgba
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "harness"))
 import dumpfile  # noqa: E402
-import logfile  # noqa: E402
 import picture  # noqa: E402
 
 INSTANTS = (0.016, 0.2, 0.4)    # s, Figs 6.3 and 6.4
@@ -29,14 +28,6 @@ def colours(frame, scale):
     return shades
 
 
-def read(folder):
-    """frames of the dump and their times"""
-    table = logfile.read_thermo(next(Path(folder).glob("log*")))
-    step = (table["Time"][1] - table["Time"][0]) / (table["Step"][1] - table["Step"][0])
-    frames = dumpfile.read(Path(folder) / "dump.beam-impact")
-    return frames, np.array([frame["timestep"] * step for frame in frames])
-
-
 def draw(axis, frame, scale):
     picture.floor(axis, FLOOR)
     points = np.column_stack([frame["x"], frame["y"], frame["z"]])
@@ -50,10 +41,10 @@ def main(*arguments):
     scale = Normalize(-STRAIN_LIMIT, STRAIN_LIMIT)
     figure, axes = picture.panels(len(INSTANTS), len(folders))
     for column, folder in zip(axes.T, folders):
-        frames, times = read(folder)
+        frames = dumpfile.read_run(folder, "dump.beam-impact")
         variant = Path(folder).resolve().name.split(".")[0]
         for axis, instant in zip(column, INSTANTS):
-            draw(axis, frames[int(np.argmin(np.abs(times - instant)))], scale)
+            draw(axis, dumpfile.at(frames, instant), scale)
             axis.text(0.0, 0.98, f"{variant}, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
     bar = figure.colorbar(matplotlib.cm.ScalarMappable(scale, COLOURS), ax=list(axes.ravel()), shrink=0.4,
                           pad=0.02, orientation="horizontal")

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
+import logfile
+
 
 def read(path):
     frames = []
@@ -19,3 +21,18 @@ def read(path):
             values = np.array([dump.readline().split() for _ in range(count)], dtype=float)
             frames.append({"timestep": step, **dict(zip(names, values.T))})
     return frames
+
+
+def read_run(folder, name):
+    """frames of the dump of that name in a run's folder, with the 'time' of each by the run's log"""
+    folder = Path(folder)
+    table = logfile.read_thermo(next(folder.glob("log.*")))
+    frames = read(folder / name)
+    for frame in frames:
+        frame["time"] = float(np.interp(frame["timestep"], table["Step"], table["Time"]))
+    return frames
+
+
+def at(frames, instant):
+    """the frame nearest to an instant"""
+    return min(frames, key=lambda frame: abs(frame["time"] - instant))
