@@ -25,10 +25,12 @@
 #include "comm.h"
 #include "force.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "pair.h"
 #include "update.h"
 
 #include <cmath>
+#include <cstddef>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -42,7 +44,8 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     ntension(0.0), ncompression(0.0), energy(0.0), bond(nullptr), bond_store(nullptr)
 {
   PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
-  static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "Failure is a row of doubles");
+  static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
+                "Failure begins with a row");
   btype = input.bond_type();
   while (!input.done()) {
     if (input.next_is("tension"))
@@ -140,7 +143,11 @@ void FixPotdemFailure::agree()
   pending = gather(mine, world, comm->nprocs);
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   A failed pair must come into the neighbour list before it can touch. Until the next regular rebuild no particle is
+   further than half a skin from its place at the last one, and none is now: two particles approach each other by
+   two skins at most.
+------------------------------------------------------------------------- */
 
 void FixPotdemFailure::pre_force(int /*vflag*/)
 {
@@ -148,13 +155,16 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
   bond->refresh();
   const auto failed = describe_pending();
   pending.clear();
+  bool near = false;
   for (const auto &failure : failed) {
     remove(failure);
+    near = near || failure.gap < 2.0 * neighbor->skin;
     (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
     energy += failure.energy;
     atom->nbonds--;
   }
-  next_reneighbor = update->ntimestep + 1;    // the pair must come into the neighbour list
+  pre_exchange();    // LAMMPS's special lists know it at once
+  if (near) next_reneighbor = update->ntimestep + 1;
 }
 
 std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
@@ -185,7 +195,8 @@ FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doome
   const double *xi = atom->x[i], *xj = atom->x[j];
   const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
   const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2], r = sqrt(r2);
-  const double re = bond_store->length(i, bond_store->slot(i, doomed.high));
+  const double gap = r - contact_reach(i, j),
+               re = bond_store->length(i, bond_store->slot(i, doomed.high));
   return {static_cast<double>(update->ntimestep),
           update->atime + (update->ntimestep - update->atimestep) * update->dt,
           static_cast<double>(doomed.low),
@@ -195,7 +206,8 @@ FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doome
           0.5 * (xi[2] + xj[2]),
           POTDEM::truss_strain(r2 / (re * re)),
           0.5 * (doomed.energy + bond_energy(i, j)),
-          r < contact_reach(i, j) ? r : 0.0};
+          gap < 0.0 ? r : 0.0,
+          gap};
 }
 
 // within which the pair style may act on particles of these types

@@ -28,9 +28,10 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   void restart(char *) override;
 
  private:
-  // one failed bond, in the order of the columns of the local output
+  // one failed bond, in the order of the columns of the local output; then the distance to the contact law's reach
   struct Failure {
     double step, time, tag1, tag2, x, y, z, strain, energy, contact;
+    double gap;
   };
 
   int btype;

@@ -1,5 +1,7 @@
 """Bonds that fail: when, with what energy, and what is left between the two particles."""
 
+import re
+
 import numpy as np
 import pytest
 import scripts
@@ -228,3 +230,48 @@ run 100
         assert run.thermo["f_failure"][-1] > 10
         assert np.all(run.thermo["f_failure[2]"] + run.thermo["f_failure[3]"] == run.thermo["f_failure"])
         assert run.thermo["Bonds"][-1] + run.thermo["f_failure"][-1] == run.thermo["Bonds"][0]
+
+
+SKIN = 0.3    # of scripts.box()
+
+
+def swinging(run_lammps, length, swing, nprocs=1):
+    """two bonded particles that swing apart and together by `swing` each, across the border of two ranks; the bond
+    fails at nine tenths of the way out"""
+    strength = stress(length + 1.8 * swing, length)
+    script = pair_script(f"tension {strength:.17g}", length).replace("fix move all nve", f"""
+comm_modify cutoff 4.0
+displace_atoms all move {-0.5 * length:.17g} 0 0 units box
+fix move1 one move wiggle {-swing:.17g} NULL NULL 0.1 units box
+fix move2 two move wiggle {swing:.17g} NULL NULL 0.1 units box
+compute fragment all fragment/atom single yes
+compute pieces all reduce max c_fragment""").replace(" bonds\n", " bonds c_pieces\n")
+    return run_lammps(script + "run 1000\n", nprocs=nprocs)
+
+
+def rebuilds(run):
+    return int(re.search(r"Neighbor list builds = (\d+)", run.log).group(1))
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("length, swing", [(1.02, 0.1), (1.25, 0.49 * SKIN), (1.6, 0.4), (2.0, 0.6)])
+def test_a_failed_pair_is_in_the_list_when_it_touches(run_lammps, length, swing, nprocs):
+    """whatever the gap at failure. In the second case the particles move as far as they may without a regular rebuild,
+    and the gap, 1.8 skins, closes"""
+    run = swinging(run_lammps, length, swing, nprocs)
+    r, force = run.thermo["v_r"], run.thermo["v_f"]
+    late = run.thermo["Bonds"] == 0
+    touching = late & (r < 1.0)
+    assert np.sum(touching) > 50
+    assert force[touching] == pytest.approx(-scripts.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+    assert np.all(force[late & (r >= 1.0)] == 0.0)
+
+
+@pytest.mark.parametrize("gap, expected", [(1.9 * SKIN, 1), (2.1 * SKIN, 0)])
+def test_the_list_is_rebuilt_only_for_pairs_that_may_touch(run_lammps, gap, expected):
+    """two skins: as far as two particles can approach each other until the next regular rebuild"""
+    swing = 0.07    # less than half a skin in all
+    run = swinging(run_lammps, 1.0 + gap - 1.8 * swing, swing)
+    assert run.thermo["f_failure"][-1] == 1
+    assert rebuilds(run) == expected
+    assert np.all(run.thermo["c_pieces"] == 1 + run.thermo["f_failure"])    # LAMMPS's special lists know at once
