@@ -9,31 +9,19 @@ the pieces of at least 20 particles with the stretch of the undeformed beam that
 from the clamp).
 """
 
-import itertools
-import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-LMP = HERE.parent.parent / "build" / "lmp"
 sys.path.insert(0, str(HERE.parent / "harness"))
 import dumpfile  # noqa: E402
-import logfile  # noqa: E402
+import scanning  # noqa: E402
 
 LENGTH, WIDTH, SPACING = 0.24, 0.025, 0.005
 PIECE = 20         # particles: less is debris
 CLAMP_END = 0.1    # a cut this near to the clamp (in beam lengths) is a failure of the clamped section
-
-
-def run(case, folder):
-    variables = [word for name, value in case.items() for word in ("-var", name, value)]
-    subprocess.run([LMP, "-in", "in.beam-impact", *variables, "-var", "out", folder, "-log", f"{folder}/log",
-                    "-screen", "none"], cwd=HERE, check=True)
-    return dumpfile.read(Path(folder) / "dump.beam-impact")
 
 
 def pieces(frames):
@@ -51,30 +39,21 @@ def pieces(frames):
 
 def broken(folder, frames, hit):
     """numbers of broken bonds: all, near the clamp, near the middle of the block"""
-    rows = dumpfile.read(Path(folder) / "dump.failed")[-1]
+    rows = dumpfile.read(folder / "dump.failed")[-1]
     started = dict(zip(frames[0]["id"], frames[0]["x"]))
     middles = np.array([(started[i] + started[j]) / 2 for i, j in zip(rows["f_fail[3]"], rows["f_fail[4]"])])
     return middles.size, np.sum(middles < CLAMP_END * LENGTH), np.sum(np.abs(middles - hit) < WIDTH)
 
 
-def measure(case):
-    with tempfile.TemporaryDirectory() as folder:
-        frames = run(case, folder)
-        block = frames[0]["x"][frames[0]["type"] == 2].mean()
-        counts = broken(folder, frames, block)
+def measure(folder):
+    frames = dumpfile.read(folder / "dump.beam-impact")
+    block = frames[0]["x"][frames[0]["type"] == 2].mean()
+    counts = broken(folder, frames, block)
     found = pieces(frames)
     clamp = "parts" if found[0][1] < CLAMP_END else "holds"
     ranges = "  ".join(f"{start:.2f}-{end:.2f} ({count})" for start, end, count in found)
     return f"broken %4d, clamp %3d, hit %4d; clamp {clamp}; {ranges}" % counts
 
 
-def main(words):
-    settings = dict(word.split("=", 1) for word in words)
-    cases = [dict(zip(settings, values)) for values in itertools.product(*(v.split(",") for v in settings.values()))]
-    with ThreadPoolExecutor(2) as pool:
-        for case, line in zip(cases, pool.map(measure, cases)):
-            print(" ".join(f"{name}={value}" for name, value in case.items()).ljust(44), line, flush=True)
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    scanning.main(HERE, measure, sys.argv[1:])

@@ -5,14 +5,11 @@ import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import compare
 import logfile
 import runner
 import scene as scenes
-
-LMP = Path(__file__).resolve().parent.parent.parent / "build" / "lmp"
 
 
 class Failure(Exception):
@@ -38,7 +35,7 @@ def simulate(variant, nprocs):
     running = folder / "log.running"
     # relative, because LAMMPS repeats it in the log, which may become a reference
     out = os.path.relpath(folder, variant.scene.folder)
-    arguments = runner.command(LMP, variant.scene.script, {**variant.variables, "out": out}, running, nprocs)
+    arguments = runner.command(runner.LMP, variant.scene.script, {**variant.variables, "out": out}, running, nprocs)
     problem = runner.run(arguments, variant.scene.folder, f"{variant.label} on {nprocs} rank(s)")
     if problem:
         raise Failure(f"{problem}\nlog: {running}\ncommand: {' '.join(arguments)}")

@@ -5,9 +5,11 @@ import shutil
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import logfile
 
+LMP = Path(__file__).resolve().parent.parent.parent / "build" / "lmp"
 TOTAL_STEPS = "POTDEM total steps "
 
 
