@@ -6,16 +6,19 @@ lattice, and the static equilibrium of a free cube by sparse linear algebra. E =
 """
 
 import itertools
+import sys
+from pathlib import Path
 
 import numpy as np
-from scipy.sparse import coo_matrix, diags
+from scipy.sparse import diags
 from scipy.sparse.linalg import cg
-from scipy.spatial import cKDTree
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "harness"))
+import network  # noqa: E402
 
 SECTION = np.pi / 4
 CELL = {"sc": 1.0, "fcc": np.sqrt(2.0)}    # edge of the cube cell over the nearest distance
 BASIS = {"sc": [(0, 0, 0)], "fcc": [(0, 0, 0), (0, 0.5, 0.5), (0.5, 0, 0.5), (0.5, 0.5, 0)]}
-WITHIN = 1 + 1e-6                          # a shell at exactly r_infl counts as inside
 REACHES = (1.0, 1.42, 1.75, 2.0, 2.25, 2.5)
 
 
@@ -29,7 +32,7 @@ def shells(lattice, reach):
     far = int(reach / CELL[lattice]) + 2
     vectors = sites(lattice, range(-far, far + 1))
     lengths = np.linalg.norm(vectors, axis=1)
-    bonded = (lengths > 0) & (lengths <= reach * WITHIN)
+    bonded = (lengths > 0) & (lengths <= reach * network.WITHIN)
     return lengths[bonded], vectors[bonded] / lengths[bonded, None]
 
 
@@ -55,22 +58,6 @@ def infinite(lattice, reach):
     return len(shells(lattice, reach)[0]), 1 / modulus, nu, *ratios
 
 
-def assemble(points, reach):
-    """stiffness matrix of the network, three rows for each particle"""
-    pairs = cKDTree(points).query_pairs(reach * WITHIN, output_type="ndarray")
-    along = points[pairs[:, 1]] - points[pairs[:, 0]]
-    lengths = np.linalg.norm(along, axis=1)
-    n = along / lengths[:, None]
-    blocks = (SECTION / lengths)[:, None, None] * n[:, :, None] * n[:, None, :]
-    size, axis = 3 * len(points), np.arange(3)
-    matrix = coo_matrix((size, size)).tocsr()
-    for first, second, sign in ((0, 0, 1), (1, 1, 1), (0, 1, -1), (1, 0, -1)):
-        rows = (3 * pairs[:, first])[:, None, None] + axis[:, None] + 0 * axis
-        columns = (3 * pairs[:, second])[:, None, None] + axis + 0 * axis[:, None]
-        matrix += coo_matrix((sign * blocks.ravel(), (rows.ravel(), columns.ravel())), shape=(size, size)).tocsr()
-    return matrix
-
-
 def free_cube(lattice, cells, reach):
     """(a, nu) of a cube whose two opposite layers carry the stress 1, from the layers' mean displacements"""
     points = sites(lattice, range(cells))
@@ -79,7 +66,7 @@ def free_cube(lattice, cells, reach):
     high = [points[:, k] > points[:, k].max() - 0.1 for k in range(2)]
     force = np.zeros_like(points)
     force[low[0], 0], force[high[0], 0] = -area / low[0].sum(), area / high[0].sum()
-    matrix = assemble(points, reach)
+    matrix = network.stiffness(points, network.bonds(points, reach), SECTION)
     moved, stopped = cg(matrix, force.ravel(), tol=1e-11, maxiter=10000, M=diags(1 / matrix.diagonal()))
     if stopped:
         raise ArithmeticError(f"free cube, {lattice}, {cells}, {reach}: conjugate gradients did not converge")

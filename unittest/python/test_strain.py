@@ -65,6 +65,29 @@ def test_affine_motion(run_lammps, tmp_path, name):
     assert table[:, 6].min() == 6 and table[:, 6].max() == 18    # 3 + 3 bonds in a corner
 
 
+def random_packing(count, seed, size=6.0, apart=0.7):
+    """rows of (x, y, z, diameter): random places at least `apart` from each other, random diameters"""
+    generator = np.random.default_rng(seed)
+    points = np.empty((0, 3))
+    while len(points) < count:
+        point = generator.uniform(-size / 2, size / 2, 3)
+        if np.all(np.linalg.norm(points - point, axis=1) > apart):
+            points = np.vstack([points, point])
+    return np.column_stack([points, generator.uniform(0.6, 1.2, count)])
+
+
+@pytest.mark.parametrize("name", GRADIENTS)
+@pytest.mark.parametrize("nprocs", [1, 4])
+def test_affine_motion_of_a_random_packing(run_lammps, tmp_path, name, nprocs):
+    """no two bonds alike: exact wherever they determine six components"""
+    F = GRADIENTS[name]
+    script = scripts.box(30) + scripts.particles(random_packing(200, seed=7)) + scripts.elastic()
+    table = strains(run_lammps, tmp_path, script + "potdem_bonds all 1 1.8\n" + STRAIN + affine(F), nprocs)
+    whole = table[:, 7] == 6
+    assert whole.sum() > 190
+    assert np.abs(table[whole, :6] - green_lagrange(F)).max() < EXACT
+
+
 PERIODIC = scripts.crystal() + scripts.elastic() + "potdem_bonds all 1 1.75\n" + STRAIN
 
 

@@ -1,0 +1,23 @@
+"""Truss networks by sparse linear algebra, without LAMMPS: what a network does at small displacements."""
+
+import numpy as np
+from scipy.sparse import coo_matrix, diags
+from scipy.spatial import cKDTree
+
+WITHIN = 1 + 1e-6    # a distance of exactly r_infl counts as inside
+
+
+def bonds(points, reach):
+    """pairs of points up to `reach` apart"""
+    return cKDTree(points).query_pairs(reach * WITHIN, output_type="ndarray")
+
+
+def stiffness(points, pairs, axial):
+    """matrix of the forces over the displacements, three rows for each point; axial: E A of each bond, or of all"""
+    along = points[pairs[:, 1]] - points[pairs[:, 0]]
+    lengths = np.linalg.norm(along, axis=1)
+    n = along / lengths[:, None]
+    columns = 3 * pairs[:, [0, 0, 0, 1, 1, 1]] + np.array([0, 1, 2, 0, 1, 2])
+    rows = np.repeat(np.arange(len(pairs)), 6)
+    elongations = coo_matrix((np.hstack([-n, n]).ravel(), (rows, columns.ravel())), shape=(len(pairs), points.size)).tocsr()
+    return elongations.T @ diags(np.broadcast_to(axial, lengths.shape) / lengths) @ elongations
