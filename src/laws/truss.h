@@ -33,20 +33,6 @@ inline double truss_strain(double q)
   return 0.5 * (q - 1.0);
 }
 
-// (r/re)^2 at which the stress E c eps reaches `stress` (given over E); 0 if compression cannot reach it.
-// c eps grows with x, so failure is a comparison of squared lengths and costs no square root.
-inline double truss_stretch_at(double stress, const Penetration *factor = nullptr)
-{
-  if (!factor) return std::fmax(0.0, 1.0 + 2.0 * stress);
-  double low = 0.0, high = 1.0;
-  while (factor->value(high) * truss_strain(high * high) < stress) high *= 2.0;
-  for (int k = 0; k < 200 && high - low > 1e-16 * high; k++) {
-    const double x = 0.5 * (low + high);
-    (factor->value(x) * truss_strain(x * x) < stress ? low : high) = x;
-  }
-  return high * high;
-}
-
 // modulus: A E; re: reference length
 inline Evaluation truss(double r, double re, double modulus)
 {

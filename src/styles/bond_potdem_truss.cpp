@@ -42,9 +42,8 @@ static double distance2(const double *a, const double *b)
 /* ---------------------------------------------------------------------- */
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
-    Bond(lmp), breakable(false), hindered(false), damped(false), bond_store(nullptr),
-    ledger(nullptr), generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr),
-    tallied(nullptr)
+    Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), ledger(nullptr),
+    generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -162,7 +161,8 @@ void BondPotdemTruss::init_style()
 
 void BondPotdemTruss::find_needs()
 {
-  hindered = damped = breakable = false;
+  hindered = damped = false;
+  failing = NEVER;
   for (int type = 1; type <= atom->nbondtypes; type++) {
     if (!setflag[type]) continue;
     if (coeffs[type].m > 0) {
@@ -171,8 +171,9 @@ void BondPotdemTruss::find_needs()
     }
     if (coeffs[type].xi > 0.0) damped = true;
   }
-  tension2.assign(atom->nbondtypes + 1, UNBREAKABLE);
-  compression2.assign(atom->nbondtypes + 1, 0.0);
+  tension.assign(atom->nbondtypes + 1, UNBREAKABLE);
+  compression.assign(atom->nbondtypes + 1, -UNBREAKABLE);
+  scatter.assign(atom->nbondtypes + 1, POTDEM::StrengthScatter());
   for (const auto &fix : modify->get_fix_by_style("^potdem/failure$"))
     dynamic_cast<FixPotdemFailure *>(fix)->strengthen(*this);
 }
@@ -218,13 +219,13 @@ double BondPotdemTruss::equilibrium_distance(int /*type*/)
   return longest;
 }
 
-void BondPotdemTruss::set_strength(int type, double tension, double compression)
+void BondPotdemTruss::set_strength(int type, double ft, double fc,
+                                   const POTDEM::StrengthScatter &spread)
 {
-  const Coeff &c = coeffs[type];
-  const POTDEM::Penetration *factor = c.m > 0 ? &factors[type] : nullptr;
-  if (tension > 0.0) tension2[type] = POTDEM::truss_stretch_at(tension / c.E, factor);
-  if (compression > 0.0) compression2[type] = POTDEM::truss_stretch_at(-compression / c.E, factor);
-  breakable = true;
+  if (ft > 0.0) tension[type] = 2.0 * ft / coeffs[type].E;
+  if (fc > 0.0) compression[type] = -2.0 * fc / coeffs[type].E;
+  scatter[type] = spread;
+  failing = MAX(failing, spread.active() ? BY_BOND : BY_TYPE);
 }
 
 /* ----------------------------------------------------------------------
@@ -244,6 +245,7 @@ void BondPotdemTruss::pack()
   bonds.inverse_length2.resize(n);
   bonds.half_modulus.resize(n);
   bonds.dashpot.resize(damped ? n : 0);
+  bonds.strength.resize(failing == BY_BOND ? n : 0);
   for (int i = 0; i < atom->nlocal; i++) {
     for (int k = bonds.first[i]; k < bonds.first[i + 1]; k++) {
       const int j = bonds.partner[k], type = bonds.type[k];
@@ -253,6 +255,7 @@ void BondPotdemTruss::pack()
       bonds.inverse_length2[k] = 1.0 / (re * re);
       bonds.half_modulus[k] = 0.5 * modulus;
       if (j >= atom->nlocal) check_reach(i, j, re);
+      if (failing == BY_BOND) bonds.strength[k] = scatter[type].factor(atom->tag[i], atom->tag[j]);
       if (damped) {
         const double mi = atom->rmass[i], mj = atom->rmass[j];
         bonds.dashpot[k] =
@@ -437,20 +440,27 @@ void BondPotdemTruss::choose_kernels()
 
 template <bool HINDER, bool DAMP> void BondPotdemTruss::choose()
 {
-  if (breakable) {
-    quiet = &BondPotdemTruss::kernel<false, true, HINDER, DAMP>;
-    tallied = &BondPotdemTruss::kernel<true, true, HINDER, DAMP>;
-  } else {
-    quiet = &BondPotdemTruss::kernel<false, false, HINDER, DAMP>;
-    tallied = &BondPotdemTruss::kernel<true, false, HINDER, DAMP>;
+  switch (failing) {
+    case NEVER:
+      return choose<NEVER, HINDER, DAMP>();
+    case BY_TYPE:
+      return choose<BY_TYPE, HINDER, DAMP>();
+    case BY_BOND:
+      return choose<BY_BOND, HINDER, DAMP>();
   }
+}
+
+template <int FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::choose()
+{
+  quiet = &BondPotdemTruss::kernel<false, FAIL, HINDER, DAMP>;
+  tallied = &BondPotdemTruss::kernel<true, FAIL, HINDER, DAMP>;
 }
 
 /* ----------------------------------------------------------------------
    the loop over bonds: one atom at a time, its force kept in registers
 ------------------------------------------------------------------------- */
 
-template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel(Span &span)
+template <bool EV, int FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kernel(Span &span)
 {
   const auto *const x = (const double(*)[3]) atom->x[0];
   const auto *const v = (const double(*)[3]) atom->v[0];
@@ -475,13 +485,17 @@ template <bool EV, bool FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kern
         return;
       }
       const double q = r2 * inverse_length2[n];
-      if (FAIL && (q >= tension2[type[n]] || q <= compression2[type[n]]))
-        span.over.push_back({i, n});
 
-      // tension over distance; 2 eps = q - 1
+      // tension over distance; load: 2 c eps, the stress over E/2
       const double inverse_r = 1.0 / sqrt(r2);
-      double pull = half_modulus[n] * (q - 1.0) * inverse_r;
-      if (HINDER && coeffs[type[n]].m > 0) pull *= factors[type[n]].value(sqrt(q));
+      double load = q - 1.0;
+      if (HINDER && coeffs[type[n]].m > 0) load *= factors[type[n]].value(sqrt(q));
+      if (FAIL) {
+        const double strength = FAIL == BY_BOND ? bonds.strength[n] : 1.0;
+        if (load >= strength * tension[type[n]] || load <= strength * compression[type[n]])
+          span.over.push_back({i, n});
+      }
+      double pull = half_modulus[n] * load * inverse_r;
       if (EV) {
         const double del[3] = {-dx, -dy, -dz};
         tally(span, i, j, eflag_either ? energy_at(n, q) : 0.0, -pull, del);

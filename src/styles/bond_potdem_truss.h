@@ -8,6 +8,7 @@
 
 #include "laws/evaluation.h"
 #include "laws/penetration.h"
+#include "laws/strength_scatter.h"
 
 #include "bond.h"
 
@@ -37,7 +38,7 @@ class BondPotdemTruss : public Bond {
   // for fix potdem/failure. Strengths are stresses, < 0: none; they hold until the next init(), which asks
   // the fixes for them.
   double modulus(int type) const { return coeffs[type].E; }
-  void set_strength(int type, double tension, double compression);
+  void set_strength(int type, double ft, double fc, const POTDEM::StrengthScatter &);
 
   struct Overstretched {
     int i, n;    // owned atom, packed bond
@@ -66,12 +67,15 @@ class BondPotdemTruss : public Bond {
     std::vector<int> first, ghosts;    // per owned atom: first bond, first with a ghost partner
     std::vector<int> partner, type, listed;    // per bond; listed: place in neighbor->bondlist
     std::vector<double> inverse_length2, half_modulus, dashpot;    // 1/re^2, A E/2
+    std::vector<double> strength;                                  // over that of the type
   };
 
   std::vector<Coeff> coeffs;
   std::vector<POTDEM::Penetration> factors;
-  std::vector<double> tension2, compression2;    // (r/re)^2 at failure
-  bool breakable, hindered, damped;
+  std::vector<double> tension, compression;    // per type: load 2 c eps at failure
+  std::vector<POTDEM::StrengthScatter> scatter;
+  enum Failing { NEVER, BY_TYPE, BY_BOND } failing;
+  bool hindered, damped;
   Packed bonds;
   std::vector<Overstretched> over;
 
@@ -122,7 +126,8 @@ class BondPotdemTruss : public Bond {
 
   void choose_kernels();
   template <bool HINDER, bool DAMP> void choose();
-  template <bool EV, bool FAIL, bool HINDER, bool DAMP> void kernel(Span &);
+  template <int FAIL, bool HINDER, bool DAMP> void choose();
+  template <bool EV, int FAIL, bool HINDER, bool DAMP> void kernel(Span &);
   void note(int i, int j, double fx, double fy, double fz);
   void work(Span &);
   void collect(const Span &);

@@ -52,9 +52,11 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
       tension = input.positive("tension strength");
     else if (input.next_is("compression"))
       compression = input.positive("compression strength");
+    else if (input.next_is("scatter"))
+      scatter = read_scatter(input);
     else {
       input.word();
-      input.unknown("tension or compression");
+      input.unknown("tension, compression or scatter");
     }
   }
   if (tension < 0.0 && compression < 0.0)
@@ -71,6 +73,25 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
   restart_global = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
+}
+
+// weibull k SEED | normal cov SEED
+POTDEM::StrengthScatter FixPotdemFailure::read_scatter(PotdemInput &input)
+{
+  if (input.next_is("weibull")) {
+    const double k = input.positive("scatter weibull k");
+    return POTDEM::StrengthScatter::weibull(k, input.whole("scatter seed", MAXSMALLINT));
+  }
+  if (!input.next_is("normal")) {
+    input.word();
+    input.unknown("weibull or normal after scatter");
+  }
+  const double cov = input.positive("scatter normal cov");
+  if (cov > POTDEM::StrengthScatter::LARGEST_COV)
+    input.fail(fmt::format("scatter normal cov = {} is out of range, it must be > 0 and <= {}; "
+                           "use scatter weibull for a larger spread",
+                           cov, POTDEM::StrengthScatter::LARGEST_COV));
+  return POTDEM::StrengthScatter::normal(cov, input.whole("scatter seed", MAXSMALLINT));
 }
 
 int FixPotdemFailure::setmask()
@@ -96,7 +117,7 @@ void FixPotdemFailure::init()
 
 void FixPotdemFailure::strengthen(BondPotdemTruss &truss) const
 {
-  truss.set_strength(btype, tension, compression);
+  truss.set_strength(btype, tension, compression, scatter);
 }
 
 // unlike its base class, it works with bonded pairs left out of the neighbour list altogether (the bond

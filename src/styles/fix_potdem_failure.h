@@ -6,6 +6,8 @@
 #ifndef LMP_FIX_POTDEM_FAILURE_H
 #define LMP_FIX_POTDEM_FAILURE_H
 
+#include "laws/strength_scatter.h"
+
 #include "fix_update_special_bonds.h"
 
 #include <vector>
@@ -36,6 +38,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
 
   int btype;
   double tension, compression;
+  POTDEM::StrengthScatter scatter;
   double ntension, ncompression, energy;    // since the first run, over all ranks
   class BondPotdemTruss *bond;
   class PotdemBondStore *bond_store;
@@ -49,6 +52,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   };
   std::vector<Pending> pending;    // the same on all ranks
 
+  static POTDEM::StrengthScatter read_scatter(class PotdemInput &);
   void agree();
   std::vector<Failure> describe_pending();
   Failure describe(int i, const Pending &) const;

@@ -1,5 +1,6 @@
 """Bonds that fail: when, with what energy, and what is left between the two particles."""
 
+import math
 import re
 
 import numpy as np
@@ -275,3 +276,61 @@ def test_the_list_is_rebuilt_only_for_pairs_that_may_touch(run_lammps, gap, expe
     assert run.thermo["f_failure"][-1] == 1
     assert rebuilds(run) == expected
     assert np.all(run.thermo["c_pieces"] == 1 + run.thermo["f_failure"])    # LAMMPS's special lists know at once
+
+
+# --- scatter ---------------------------------------------------------------------------------------------
+
+def many_pairs(scatter, count=20, more=""):
+    """count^2 bonds side by side, all pulled at the same speed to 1.4 times their length"""
+    width = 3 * count
+    return scripts.box((width, width, 8), units="si", skin=0.3) + f"""
+lattice sc 3.0 origin 0.5 0.5 0
+region low block INF INF INF INF -0.1 0.1 units box
+create_atoms 1 region low
+lattice sc 3.0 origin 0.5 0.5 {1 / 3:.17g}
+region high block INF INF INF INF 0.9 1.1 units box
+create_atoms 1 region high
+reset_atoms id sort yes
+set group all diameter 1.0
+set group all density 1.0
+group high region high
+{scripts.elastic(E=E)}
+potdem_bonds all 1 1.2
+fix failure all potdem/failure 1 tension 100 {scatter}
+{more}
+fix hold all move linear 0 0 0
+fix pull high move linear 0 0 0.4
+timestep 5e-4
+run 2000
+write_dump all local events.dump index f_failure[3] f_failure[4] f_failure[8]
+"""
+
+
+def strengths(run_lammps, tmp_path, script, nprocs=1):
+    """pair of IDs -> stress at which its bond failed, over the mean strength"""
+    run_lammps(script, nprocs=nprocs)
+    _, table = scripts.read_dump(tmp_path / "events.dump")[0]
+    rows = scripts.vectors(table, *(f"f_failure[{k}]" for k in (3, 4, 8)))
+    return {(int(a), int(b)): E * strain / 100 for a, b, strain in rows}
+
+
+def test_scattered_strengths_follow_their_law(run_lammps, tmp_path):
+    """the stresses at which 400 bonds fail, against Weibull's distribution with mean 1, and on any number of ranks"""
+    k = 4.0
+    found = strengths(run_lammps, tmp_path, many_pairs(f"scatter weibull {k} 4711"))
+    assert len(found) == 400
+    values = np.sort(list(found.values()))
+    exact = 1 - np.exp(-(values * math.gamma(1 + 1 / k)) ** k)
+    # distance of 400 draws from their law: 0.0975 is passed once in a thousand draws
+    assert np.abs(exact - (np.arange(400) + 0.5) / 400).max() < 0.0975
+    assert strengths(run_lammps, tmp_path, many_pairs(f"scatter weibull {k} 4711"), 4) == pytest.approx(found, rel=1e-9)
+    assert strengths(run_lammps, tmp_path, many_pairs(f"scatter weibull {k} 4712")) != pytest.approx(found, rel=0.1)
+
+
+def test_a_normal_scatter_is_cut(run_lammps, tmp_path):
+    found = strengths(run_lammps, tmp_path, many_pairs("scatter normal 0.2 9"))
+    values = np.array(list(found.values()))
+    late = 0.4 * 5e-4 * 1.4 * E / 100    # stress gained in the step until a bond is removed
+    assert len(values) == 400 and values.min() >= 0.4 and values.max() <= 1.6 + late
+    assert values.mean() == pytest.approx(1.0, abs=4 * 0.2 / 20 + late)
+    assert values.std() == pytest.approx(0.2, abs=4 * 0.2 / np.sqrt(800))
