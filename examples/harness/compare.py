@@ -6,13 +6,13 @@
     columns:
       Step: {all: true, abs: 0}
       PotEng:
-        - {before: first_break, rel: 1e-6}
+        - {before: first_break, until: 0.3, rel: 1e-6}
         - {final: true, rel: 0.10}
       v_tip: {max: true, rel: 0.05}
       c_wall: {window: [0.0, 0.02], rel: 1e-6}
       CPU: {ignore: depends on the machine}
 
-What a rule compares: `all` rows, those `before: first_break` in either log, the `window` of Time (of Step where
+What a rule compares: `all` rows, those `before: first_break` in either log (and `until` a Time), the `window` of Time (of Step where
 there is no Time), the `final` row, or the `max`imum absolute value of the run. The tolerance is
 abs + rel * scale; the scale is the reference's largest absolute value among the rows compared (scale: range,
 the default) or each row's own value (scale: value).
@@ -23,7 +23,7 @@ from dataclasses import dataclass
 import numpy as np
 
 SELECTIONS = ("all", "before", "window", "final", "max", "ignore")
-SETTINGS = ("rel", "abs", "scale")
+SETTINGS = ("rel", "abs", "scale", "until")
 
 
 class RuleError(Exception):
@@ -68,11 +68,11 @@ def first_break(table, column):
 
 def _rows(kind, rule, table, break_step):
     steps = table["Step"]
+    time = table.get("Time", steps)
     if kind == "before":
-        return steps < break_step
+        return (steps < break_step) & (time <= rule.get("until", np.inf))
     if kind == "window":
         start, end = rule["window"]
-        time = table.get("Time", steps)
         return (time >= start) & (time <= end)
     return np.full(steps.shape, True)
 

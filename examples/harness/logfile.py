@@ -69,6 +69,12 @@ def version(text):
     return match.group(1).replace(" ", "")
 
 
+def wall_seconds(text):
+    """the run time that the log's last line gives, or None"""
+    match = re.search(r"^Total wall time: (\d+):(\d+):(\d+)", text, re.MULTILINE)
+    return sum(int(part) * unit for part, unit in zip(match.groups(), (3600, 60, 1))) if match else None
+
+
 def parameters(text):
     """name -> text, of the line "PARAMETERS name=value ..." that a script prints"""
     match = re.search(r"^PARAMETERS (.*)$", text, re.MULTILINE)

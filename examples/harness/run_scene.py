@@ -27,7 +27,7 @@ def list_scenes():
     print("\nThe variants marked * run when none is named.")
 
 
-def simulate(variant, nprocs):
+def simulate(variant, nprocs, progress):
     """the log of a new run"""
     folder = variant.output(nprocs)
     shutil.rmtree(folder, ignore_errors=True)
@@ -36,7 +36,7 @@ def simulate(variant, nprocs):
     # relative, because LAMMPS repeats it in the log, which may become a reference
     out = os.path.relpath(folder, variant.scene.folder)
     arguments = runner.command(runner.LMP, variant.scene.script, {**variant.variables, "out": out}, running, nprocs)
-    problem = runner.run(arguments, variant.scene.folder, f"{variant.label} on {nprocs} rank(s)")
+    problem = runner.run(arguments, variant.scene.folder, progress)
     if problem:
         raise Failure(f"{problem}\nlog: {running}\ncommand: {' '.join(arguments)}")
     log = folder / variant.log_name(scenes.version_of(running), nprocs)
@@ -45,13 +45,13 @@ def simulate(variant, nprocs):
 
 
 def check(variant, log, nprocs):
-    """(passed, failed) of the comparison with the reference"""
+    """reference log and the checks of the comparison with it"""
     reference = variant.reference(scenes.version_of(log), nprocs)
-    print(f"\ncompared with {reference.name}")
-    if reference.name != log.name:
-        print(f"  (there is no reference {log.name})")
-    checks = compare.compare(logfile.read_thermo(log), logfile.read_thermo(reference), variant.scene.rules)
-    print(compare.report(checks))
+    return reference, compare.compare(logfile.read_thermo(log), logfile.read_thermo(reference), variant.scene.rules)
+
+
+def count(checks):
+    """(passed, failed)"""
     passed = sum(check.passed for check in checks)
     return passed, len(checks) - passed
 
@@ -69,15 +69,19 @@ def draw(variant, folder):
 
 
 def run_variant(variant, arguments):
-    log = simulate(variant, arguments.np)
+    log = simulate(variant, arguments.np, runner.Progress(f"{variant.label} on {arguments.np} rank(s)"))
     if arguments.update_reference:
         shutil.copy(log, variant.scene.folder / log.name)
-    counts = check(variant, log, arguments.np)
+    reference, checks = check(variant, log, arguments.np)
+    print(f"\ncompared with {reference.name}")
+    if reference.name != log.name:
+        print(f"  (there is no reference {log.name})")
+    print(compare.report(checks))
     picture = draw(variant, log.parent)
     print(f"\nlog:     {log}")
     if picture:
         print(f"picture: {picture}")
-    return counts
+    return count(checks)
 
 
 def parse(argv):

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -35,14 +36,15 @@ class Progress:
             self.step = int(words[0])
             self.show()
 
+    @property
+    def fraction(self):
+        return min(1.0, self.step / self.total) if self.total else 0.0
+
     def text(self):
         elapsed = time.monotonic() - self.start
         if not self.total:
             return f"{self.title}: step {self.step}, {clock(elapsed)}"
-        fraction = min(1.0, self.step / self.total)
-        left = clock(elapsed * (1.0 - fraction) / fraction) if fraction > 0 else "-:--"
-        bar = ("#" * round(30 * fraction)).ljust(30, ".")
-        return f"{self.title}: [{bar}] {100 * fraction:3.0f} %, {left} left"
+        return f"{self.title}: {bar(self.fraction, elapsed)}"
 
     def show(self):
         now = time.monotonic()
@@ -55,6 +57,62 @@ class Progress:
         if self.terminal:
             print("\r\033[K", end="", flush=True)
         print(f"{self.title}: {clock(time.monotonic() - self.start)}", flush=True)
+
+
+class Part(Progress):
+    """the progress of one of several runs at once, shown by the Together it belongs to"""
+
+    def __init__(self, title, together):
+        super().__init__(title)
+        self.together = together
+
+    def show(self):
+        self.together.show()
+
+    def end(self):
+        self.together.end(self)
+
+
+class Together:
+    """one bar for several runs, each of which has a weight (about its seconds)"""
+
+    def __init__(self, weights):
+        self.weights, self.done, self.running = weights, 0.0, []
+        self.total = sum(weights.values())
+        self.start = self.shown = time.monotonic()
+        self.terminal = sys.stdout.isatty()
+        self.lock = threading.Lock()
+
+    def part(self, title):
+        part = Part(title, self)
+        with self.lock:
+            self.running.append(part)
+        return part
+
+    def show(self):
+        with self.lock:
+            now = time.monotonic()
+            if now - self.shown < (0.2 if self.terminal else 30.0):
+                return
+            self.shown = now
+            done = self.done + sum(self.weights[part.title] * part.fraction for part in self.running)
+            names = ", ".join(part.title for part in self.running)
+            print(("\r\033[K" if self.terminal else "") + f"{bar(done / self.total, now - self.start)}: {names}",
+                  end="" if self.terminal else "\n", flush=True)
+
+    def end(self, part):
+        with self.lock:
+            self.running.remove(part)
+            self.done += self.weights[part.title]
+
+    def say(self, text):
+        with self.lock:
+            print(("\r\033[K" if self.terminal else "") + text, flush=True)
+
+
+def bar(fraction, elapsed):
+    left = clock(elapsed * (1.0 - fraction) / fraction) if fraction > 0 else "-:--"
+    return f"[{('#' * round(30 * fraction)).ljust(30, '.')}] {100 * fraction:3.0f} %, {left} left"
 
 
 def clock(seconds):
@@ -83,9 +141,8 @@ def command(lmp, script, variables, log, nprocs):
     return arguments
 
 
-def run(arguments, folder, title):
+def run(arguments, folder, progress):
     """None when LAMMPS ended well, else what it said"""
-    progress = Progress(title)
     output = []
     with subprocess.Popen(arguments, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, text=True,
                           errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:

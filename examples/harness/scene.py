@@ -31,6 +31,8 @@ class Scene:
         # a scene without variants is one variant without a name
         self.variants = settings.get("variants") or {"": {}}
         self.default_variants = settings.get("default_variants") or list(self.variants)[:1]
+        # what examples/run all runs: the claims may need more than a newcomer's first run
+        self.all_variants = settings.get("all_variants") or self.default_variants
 
     def variant(self, name):
         if name not in self.variants:
@@ -40,6 +42,11 @@ class Scene:
     @property
     def script(self):
         return f"in.{self.name}"
+
+    @property
+    def claims(self):
+        path = self.folder / "claims.py"
+        return path if path.exists() else None
 
     @property
     def plot(self):
@@ -70,4 +77,13 @@ class Variant:
 
 
 def version_of(log):
-    return logfile.version(log.read_text(encoding="utf-8", errors="replace"))
+    return logfile.version(read(log))
+
+
+def seconds_of(log):
+    """run time of the run that wrote a log, at least one second"""
+    return max(1, logfile.wall_seconds(read(log)) or 1)
+
+
+def read(log):
+    return log.read_text(encoding="utf-8", errors="replace")

@@ -52,6 +52,13 @@ def test_a_number_between_first_break_and_end_may_differ():
     assert failures(changed("PotEng", 7, 3.0)) == []
 
 
+def test_until_ends_the_comparison_in_time():
+    """no Time column: the step is the time"""
+    rules = {**RULES, "columns": {**RULES["columns"], "PotEng": {"before": "first_break", "until": 200, "rel": 1e-6}}}
+    assert failures(changed("PotEng", 2, 1.01), rules=rules) == [("PotEng", "before step 500")]
+    assert failures(changed("PotEng", 3, 1.01), rules=rules) == []
+
+
 def test_bulk_quantities_are_compared_within_their_tolerance():
     assert failures(changed("PotEng", -1, 1.09)) == []
     assert failures(changed("PotEng", -1, 1.11)) == [("PotEng", "final")]

@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+import yaml
 
 SCRIPT = """
 variable speed index 1.0
@@ -49,6 +50,14 @@ Path(sys.argv[2]).write_text("a picture")
 """
 
 
+CLAIMS = """
+from claim import Claim
+def claims(folder_of):
+    return [Claim("2", "atoms fly", "42 m", (folder_of("slow") / "done.txt").read_text().strip(), "no"),
+            Claim("1", "atoms are there", "yes", "yes", "yes")]
+"""
+
+
 @pytest.fixture
 def examples(root, lmp, tmp_path):
     """a copy of the harness with one scene beside it; runs it with the arguments given"""
@@ -61,8 +70,10 @@ def examples(root, lmp, tmp_path):
     (scene / "scene.yaml").write_text(SETTINGS)
     (scene / "plot.py").write_text(PLOT)
 
-    def run(*arguments):
-        return subprocess.run([sys.executable, tmp_path / "examples" / "harness" / "run_scene.py", *arguments],
+    (scene / "claims.py").write_text(CLAIMS)
+
+    def run(*arguments, program="run_scene.py"):
+        return subprocess.run([sys.executable, tmp_path / "examples" / "harness" / program, *arguments],
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     run.scene = scene
@@ -121,3 +132,30 @@ def test_what_does_not_exist_is_named(examples, arguments, message):
     run = examples(*arguments)
     assert run.returncode == 1
     assert message in run.stdout
+
+
+def test_all_scenes_and_their_claims(with_reference):
+    run = with_reference(program="run_all.py")
+    assert run.returncode == 0, run.stdout
+    assert "| 1 | atoms are there | yes | yes | yes |\n| 2 | atoms fly | 42 m | done | no |" in run.stdout
+    assert run.stdout.endswith("1 runs; 5 checks passed, 0 failed\n")
+
+
+def test_a_failed_run_is_told_and_leaves_out_its_claims(with_reference):
+    (with_reference.scene / "in.flight").write_text("units si\npair_style no/such/style\n")
+    run = with_reference(program="run_all.py")
+    assert run.returncode == 1
+    assert "Unrecognized pair style 'no/such/style'" in run.stdout and "claims of flight are left out" in run.stdout
+    assert "atoms fly" not in run.stdout
+
+
+def test_every_scene_has_references_for_what_it_runs(root):
+    """for one rank, and for four of at least one variant; contact-laws has two particles"""
+    for scene in sorted((root / "examples").glob("*/scene.yaml")):
+        settings = yaml.safe_load(scene.read_text())
+        names = settings.get("all_variants") or settings.get("default_variants") or list(settings.get("variants", {"": 0}))[:1]
+        for name in names:
+            label = f"{scene.parent.name}.{name}" if name else scene.parent.name
+            assert list(scene.parent.glob(f"log.*.{label}.g++.1")), f"no reference log of {label}"
+        if scene.parent.name != "contact-laws":
+            assert list(scene.parent.glob("log.*.g++.4")), f"no reference log of {scene.parent.name} on 4 ranks"

@@ -1,0 +1,77 @@
+"""Runs every scene, as many runs at once as there are cores, compares each with its reference log, and prints the table of
+the thesis's claims (see examples/run)."""
+
+import os
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import claim
+import compare
+import logfile
+import run_scene
+import runner
+import scene as scenes
+
+
+@dataclass
+class Outcome:
+    variant: scenes.Variant
+    failed: int
+    passed: int
+    text: str
+
+
+def work(variant, progress, together):
+    """runs, compares and draws one variant"""
+    try:
+        log = run_scene.simulate(variant, 1, progress)
+        _, checks = run_scene.check(variant, log, 1)
+        passed, failed = run_scene.count(checks)
+        text = f"{passed} checks passed, {failed} failed" + (f"\n{compare.report(checks)}" if failed else "")
+        run_scene.draw(variant, log.parent)
+    except (run_scene.Failure, scenes.SceneError, logfile.LogError, compare.RuleError) as problem:
+        passed, failed, text = 0, 1, str(problem)
+    together.say(f"{variant.label:36s} {text}")
+    return Outcome(variant, failed, passed, text)
+
+
+def run(variants):
+    """the longest first, so that no core is left waiting for it at the end"""
+    weights = {variant.label: scenes.seconds_of(variant.reference("*", 1)) for variant in variants}
+    together = runner.Together(weights)
+    ordered = sorted(variants, key=lambda variant: -weights[variant.label])
+
+    def one(variant):
+        return work(variant, together.part(variant.label), together)
+
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        return list(pool.map(one, ordered))
+
+
+def measured(every, outcomes):
+    """the claims of all scenes whose runs ended well"""
+    failed = {outcome.variant.scene.name for outcome in outcomes if outcome.passed == 0}
+    claims = []
+    for scene in every:
+        if scene.name not in failed:
+            claims += claim.of_scene(scene, lambda name, scene=scene: scene.variant(name).output(1))
+        elif scene.claims:
+            print(f"claims of {scene.name} are left out: a run of it failed")
+    return claims
+
+
+def main():
+    every = [scenes.Scene(name) for name in scenes.names()]
+    outcomes = run([scene.variant(name) for scene in every for name in scene.all_variants])
+    print("\n" + claim.table(measured(every, outcomes)) + "\n")
+    passed, failed = (sum(getattr(outcome, which) for outcome in outcomes) for which in ("passed", "failed"))
+    print(f"{len(outcomes)} runs; {passed} checks passed, {failed} failed")
+    return 0 if failed == 0 and passed > 0 else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except scenes.SceneError as problem:
+        sys.exit(str(problem))
