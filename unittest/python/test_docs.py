@@ -211,3 +211,16 @@ def test_page_of_the_thesis_covers_every_equation_of_the_model():
         for first, last in re.findall(r"5\.(\d+)a?b?(?: – 5\.(\d+))?(?!\.)", row):
             covered |= set(range(int(first), int(last or first) + 1))
     assert set(range(6, 35)) <= covered
+
+
+TUTORIAL = (DOCS / "tutorial.md").read_text(encoding="utf-8")
+STEPS = re.findall(r"^## Step (\d): .*?^```LAMMPS\n(.*?)^```$(.*?)(?=^## )", TUTORIAL, re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("last", range(len(STEPS)))
+def test_tutorial_runs_after_every_step_and_says_what_the_page_quotes(run_lammps, last):
+    assert [number for number, _, _ in STEPS] == list("12345678")
+    script = "".join(lines for _, lines, _ in STEPS[: last + 1])
+    printed = " ".join(run_lammps(script + "thermo 100\nrun 200\n").stdout.split())
+    for quoted in re.findall(r"LAMMPS\s+says\s+`([^`]+)`(?:\s+and\s+`([^`]+)`)?", STEPS[last][2]):
+        assert all(" ".join(words.split()) in printed for words in quoted)
