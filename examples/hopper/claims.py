@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""Claim 7 measured: how the right part falls, how many grains stay on the ledges, how fast the others leave.
+
+  claims.py FOLDER ...                     of examples/run: build/examples/hopper/<variant>.np<ranks>
+  claims.py NAME=VALUE[,VALUE ...] ...     new runs, e.g. claims.py mu_wall=0.3 mu_grain=0,0.3 seed=1,2,3
+
+For each run: the right part's median downward velocity at 0.12 s over that of free fall, (1-lambda) g t, and the
+share of its pairs of neighbours that are still neighbours; the grains on the upper and on the lower ledge at the end, all
+and those slower than 0.02 m/s; the downward velocity in the exit at 5, 10, 15, 20 and 25 cm below the lower ledge.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "harness"))
+import dumpfile  # noqa: E402
+import scanning  # noqa: E402
+
+UPPER, LOWER, EDGE, EXIT = 0.32, 0.24, 0.03, 0.04    # m: z0, z1, x0, x1 of in.hopper
+FREE_FALL = 0.8 * 9.81                               # m/s^2, lambda = 0.2
+DEPTHS = np.array([0.05, 0.10, 0.15, 0.20, 0.25])    # m below the lower ledge
+AT_REST = 0.02                                       # m/s
+NEIGHBOURS = (0.0095, 0.0105)                        # m: neighbours at the start (spacing 0.00925), and later
+
+
+def places(frame, atoms):
+    rows = np.searchsorted(frame["id"], atoms)
+    return np.column_stack([frame["x"], frame["y"], frame["z"]])[rows], -frame["vz"][rows]
+
+
+def block(frames):
+    """(median velocity over free fall, share of pairs that are still neighbours) of the right part"""
+    first, later = frames[0], dumpfile.at(frames, 0.12)
+    right = first["id"][first["x"] > EDGE]
+    start, _ = places(first, right)
+    points, down = places(later, right)
+    i, j = cKDTree(start).query_pairs(NEIGHBOURS[0], output_type="ndarray").T
+    together = np.linalg.norm(points[i] - points[j], axis=1) < NEIGHBOURS[1]
+    return np.median(down) / (FREE_FALL * later["time"]), together.mean()
+
+
+def on_ledges(frame):
+    """grains on the upper and on the lower ledge: all, at rest"""
+    slow = frame["vx"] ** 2 + frame["vy"] ** 2 + frame["vz"] ** 2 < AT_REST**2
+    upper = frame["z"] > UPPER
+    lower = (frame["z"] > LOWER) & ~upper & (frame["x"] > EXIT)
+    return [np.sum(chosen) for chosen in (upper, upper & slow, lower, lower & slow)]
+
+
+def exit_velocities(frames):
+    """mean downward velocity near each of DEPTHS, over all frames"""
+    z = np.concatenate([frame["z"] for frame in frames])
+    down = -np.concatenate([frame["vz"] for frame in frames])
+    return [down[np.abs(LOWER - depth - z) < 0.01].mean() for depth in DEPTHS]
+
+
+def measure(folder):
+    frames = dumpfile.read_run(folder, "dump.hopper")
+    velocity, together = block(frames)
+    counts = "upper %d (%d at rest), lower %d (%d)" % tuple(on_ledges(frames[-1]))
+    leaving = " ".join(f"{value:.2f}" for value in exit_velocities(frames))
+    return f"block {velocity:.2f} of free fall, {100 * together:.0f} % together; {counts}; exit {leaving} m/s"
+
+
+if __name__ == "__main__":
+    scanning.main(HERE, measure, sys.argv[1:])

@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+"""plot.py FOLDER [FOLDER ...] PICTURE.png: the grains at the thesis's three instants, coloured by their downward
+velocity; a row for each folder of a run (build/examples/hopper/<variant>.np<ranks>)."""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import Normalize
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "harness"))
+import dumpfile  # noqa: E402
+import picture  # noqa: E402
+
+INSTANTS = (0.12, 0.36, 0.8)    # s, Figs 6.16 and 6.17
+COLOURS = matplotlib.colormaps["turbo"]
+# left wall, upper ledge, lower ledge, right wall: x and z in m, as in in.hopper
+WALLS = [(-0.008, 0.0, -0.05, 0.43), (0.0, 0.03, 0.31, 0.32), (0.04, 0.168, -0.05, 0.24), (0.16, 0.168, 0.24, 0.43)]
+
+
+def draw(axis, frame, scale):
+    for left, right, low, high in WALLS:
+        axis.fill([left, right, right, left], [low, low, high, high], color="#b9c7b4", linewidth=0, zorder=-2)
+    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
+    picture.spheres(axis, points, frame["radius"], COLOURS(scale(-frame["vz"])), turn=0.0, tilt=0.0)
+    axis.set_xlim(-0.01, 0.17)
+    axis.set_ylim(-0.05, 0.43)
+
+
+def main(*arguments):
+    *folders, path = arguments
+    scale = Normalize(0.0, 2.0)
+    figure, axes = picture.panels(len(folders), len(INSTANTS), 2.4, 5.6)
+    for row, folder in zip(axes, folders):
+        frames = dumpfile.read_run(folder, "dump.hopper")
+        variant = Path(folder).resolve().name.split(".")[0]
+        for axis, instant in zip(row, INSTANTS):
+            draw(axis, dumpfile.at(frames, instant), scale)
+            axis.text(0.5, 0.3, f"{variant}\nt = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
+    bar = figure.colorbar(matplotlib.cm.ScalarMappable(scale, COLOURS), ax=list(axes.ravel()), shrink=0.7,
+                          pad=0.02, orientation="horizontal", extend="both")
+    bar.set_label("downward velocity, m/s")
+    figure.savefig(path, dpi=100)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
