@@ -1,5 +1,5 @@
 """Cost of a bond, of its options and of a contact in nanoseconds a step, beside LAMMPS's own bond_style bpm/spring on
-the same network; all run in turn on one core, several times. Asserts nothing: times belong to the machine."""
+the same network and its gran/hertz/history on the same contacts; all run in turn on one core, several times. Asserts nothing: times belong to the machine."""
 
 import argparse
 import re
@@ -17,9 +17,16 @@ CASES = [
     ("  with penetration 6", "potdem", "penetration", ("Bond",), "bond"),
     ("  with damping", "potdem", "damping", ("Bond",), "bond"),
     ("  with fix potdem/failure", "potdem", "failure", ("Bond",), "bond"),
-    ("contact, potdem/truss", "contact", "plain", ("Pair",), "contact"),
-    ("  with friction", "contact", "friction", ("Pair",), "contact"),
+    ("contact, potdem/truss", "contact", "truss", ("Pair",), "contact"),
+    ("  with friction", "contact", "truss_friction", ("Pair",), "contact"),
+    ("contact, potdem/hertz", "contact", "hertz", ("Pair",), "contact"),
+    ("  with friction (no history)", "contact", "hertz_friction", ("Pair",), "contact"),
+    ("  LAMMPS's gran/hertz/history", "gran", "friction", ("Pair",), "contact"),
     ("strain, when evaluated", "potdem", "strain", ("Modify",), "particle"),
+]
+COMPARED = [
+    (CASES[0][0], CASES[1][0], "a bond of potdem/truss over one of bpm/spring"),
+    (CASES[8][0], CASES[9][0], "a sliding contact of potdem/hertz over one of gran/hertz/history"),
 ]
 
 
@@ -66,10 +73,11 @@ def main(argv):
     print(f"{'':30s}{'ns each and step':>28s}")
     for name, _, _, _, per in CASES:
         print(f"{name:30s}{spread(costs[name]):>28s} per {per}")
-    ours, theirs = CASES[0][0], CASES[1][0]
-    ratios = [a / b for a, b in zip(costs[ours], costs[theirs])]
-    print(f"\na bond of potdem/truss costs{spread(ratios)} times one of bpm/spring")
-    print(f"pair part of the loop in the intact solid:{spread(shares[ours], 1)} %")
+    print()
+    for ours, theirs, text in COMPARED:
+        ratios = [a / b for a, b in zip(costs[ours], costs[theirs])]
+        print(f"{text}:{spread(ratios)}")
+    print(f"pair part of the loop in the intact solid:{spread(shares[CASES[0][0]], 1)} %")
 
 
 if __name__ == "__main__":
