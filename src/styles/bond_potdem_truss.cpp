@@ -9,6 +9,7 @@
 #include "lammps_compat.h"
 #include "laws/lattice_area.h"
 #include "laws/truss.h"
+#include "potdem_body_area.h"
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
@@ -43,7 +44,8 @@ static double distance2(const double *a, const double *b)
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
     Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), ledger(nullptr),
-    generation(-1), longest(0.0), cutghost_own(-1.0), quiet(nullptr), tallied(nullptr)
+    generation(-1), new_bonds(true), longest(0.0), cutghost_own(-1.0), quiet(nullptr),
+    tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -82,7 +84,7 @@ void BondPotdemTruss::allocate()
 }
 
 /* ----------------------------------------------------------------------
-   N  E  area factor a | area lattice  [penetration m [normalized]] [damping xi]
+   N  E  area factor a | area lattice | area body [density rho]  [penetration m [normalized]] [damping xi]
 ------------------------------------------------------------------------- */
 
 void BondPotdemTruss::coeff(int narg, char **arg)
@@ -112,9 +114,12 @@ BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
     c.area = input.positive("area factor a");
   } else if (input.next_is("lattice")) {
     c.mode = LATTICE;
+  } else if (input.next_is("body")) {
+    c.mode = BODY;
+    if (input.next_is("density")) c.area = input.positive("area body density");
   } else {
     input.word();
-    input.unknown("area factor or area lattice");
+    input.unknown("area factor, area lattice or area body");
   }
   while (!input.done()) {
     if (input.next_is("penetration")) {
@@ -152,6 +157,8 @@ void BondPotdemTruss::init_style()
   bond_store->turn_off_failed();
   ledger = PotdemLedger::find(lmp);
   generation = -1;
+  new_bonds = true;
+  bond_store->allow_exchange(POTDEM::BodyArea::WIDEST);
 
   for (int type = 1; type <= atom->nbondtypes; type++) adopt(type);
   find_needs();
@@ -236,9 +243,7 @@ void BondPotdemTruss::pack()
 {
   generation = bond_store->generation;
   bond_store->measure_new_bonds();
-  for (int type = 1; type <= atom->nbondtypes; type++)
-    if (setflag[type] && coeffs[type].mode == LATTICE && coeffs[type].area == 0.0)
-      find_lattice(type);
+  if (new_bonds) find_areas();
   order_bonds();
 
   const std::size_t n = bonds.partner.size();
@@ -314,7 +319,18 @@ void BondPotdemTruss::check_reach(int i, int j, double re) const
 double BondPotdemTruss::section(int type, int i, int slot) const
 {
   const Coeff &c = coeffs[type];
+  if (c.mode == BODY) return bond_store->area(i, slot);
   return c.mode == LATTICE ? c.area : c.area * bond_store->section(i, slot);
+}
+
+void BondPotdemTruss::find_areas()
+{
+  new_bonds = false;
+  for (int type = 1; type <= atom->nbondtypes; type++) {
+    if (!setflag[type]) continue;
+    if (coeffs[type].mode == LATTICE && coeffs[type].area == 0.0) find_lattice(type);
+    if (coeffs[type].mode == BODY) PotdemBodyArea(lmp, bond_store).solve(type, coeffs[type].area);
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -663,7 +679,12 @@ std::string BondPotdemTruss::coeff_line(int type) const
 {
   const Coeff &c = coeffs[type];
   std::string line = fmt::format("{:.17g} area ", c.E);
-  line += c.mode == LATTICE ? "lattice" : fmt::format("factor {:.17g}", c.area);
+  if (c.mode == FACTOR)
+    line += fmt::format("factor {:.17g}", c.area);
+  else if (c.mode == LATTICE)
+    line += "lattice";
+  else
+    line += c.area > 0.0 ? fmt::format("body density {:.17g}", c.area) : "body";
   if (c.m > 0) line += fmt::format(" penetration {}{}", c.m, c.normalized ? " normalized" : "");
   if (c.xi != 0.0) line += fmt::format(" damping {:.17g}", c.xi);
   return line;

@@ -50,13 +50,14 @@ class BondPotdemTruss : public Bond {
   void cut(int i, tagint partner);    // no force from here on
 
  protected:
-  enum AreaMode { FACTOR, LATTICE };
+  enum AreaMode { FACTOR, LATTICE, BODY };
 
   struct Coeff {
     double E;
     int mode;
-    double area;    // FACTOR: a; LATTICE: the section itself, 0 until the lattice is known
-    int m;          // 0: no non-penetration factor
+    double
+        area;    // FACTOR: a; LATTICE: the section itself, 0 until the lattice is known; BODY: density or 0
+    int m;    // 0: no non-penetration factor
     int normalized;
     double xi;    // fraction of critical damping
   };
@@ -82,6 +83,7 @@ class BondPotdemTruss : public Bond {
   class PotdemBondStore *bond_store;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
   int generation;
+  bool new_bonds;    // there may be some since the last run
   double longest, cutghost_own;
 
   // the atoms that one thread does, where their forces go, and what it found
@@ -118,6 +120,7 @@ class BondPotdemTruss : public Bond {
   void order_bonds();
   void check_reach(int i, int j, double re) const;
   double section(int type, int i, int slot) const;
+  void find_areas();
   void find_lattice(int type);
   void lattice_section(int type, int i, double *found) const;
   bool centred(int type, int i, double spacing) const;

@@ -9,6 +9,7 @@
 #include "laws/truss.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "modify.h"
 
@@ -38,7 +39,8 @@ PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
 /* ---------------------------------------------------------------------- */
 
 PotdemBondStore::PotdemBondStore(LAMMPS *lmp, int narg, char **arg) :
-    FixBondHistory(lmp, narg, arg), generation(0), all_types(atom->nbondtypes + 1, 1), noverlap(0)
+    FixBondHistory(lmp, narg, arg), generation(0), all_types(atom->nbondtypes + 1, 1), noverlap(0),
+    exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
 }
@@ -68,10 +70,16 @@ double **PotdemBondStore::values() const
   return atom->darray[index];
 }
 
-void PotdemBondStore::store(int i, int m, double length, double section)
+void PotdemBondStore::store(int i, int m, double length, double section, double area)
 {
   update_atom_value(i, m, LENGTH, length);
   update_atom_value(i, m, SECTION, section);
+  update_atom_value(i, m, AREA, area);
+}
+
+void PotdemBondStore::store_area(int i, int m, double area)
+{
+  update_atom_value(i, m, AREA, area);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -165,4 +173,54 @@ double PotdemBondStore::failure_distance(int i, tagint partner) const
   for (int m = 0; m < atom->num_bond[i]; m++)
     if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return -length(i, m);
   return 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBondStore::allow_exchange(int width)
+{
+  comm_forward = comm_reverse = width;
+}
+
+void PotdemBondStore::forward(double *data, int width)
+{
+  exchanged = data;
+  exchanged_width = width;
+  comm->forward_comm(this, width);
+}
+
+void PotdemBondStore::reverse(double *data, int width)
+{
+  exchanged = data;
+  exchanged_width = width;
+  comm->reverse_comm(this, width);
+}
+
+int PotdemBondStore::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/,
+                                       int * /*pbc*/)
+{
+  const int w = exchanged_width;
+  for (int k = 0; k < n; k++)
+    std::copy_n(exchanged + w * static_cast<bigint>(list[k]), w, buf + w * k);
+  return n * w;
+}
+
+void PotdemBondStore::unpack_forward_comm(int n, int first, double *buf)
+{
+  const int w = exchanged_width;
+  std::copy_n(buf, n * w, exchanged + w * static_cast<bigint>(first));
+}
+
+int PotdemBondStore::pack_reverse_comm(int n, int first, double *buf)
+{
+  const int w = exchanged_width;
+  std::copy_n(exchanged + w * static_cast<bigint>(first), n * w, buf);
+  return n * w;
+}
+
+void PotdemBondStore::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  const int w = exchanged_width;
+  for (int k = 0; k < n; k++)
+    for (int c = 0; c < w; c++) exchanged[w * static_cast<bigint>(list[k]) + c] += buf[w * k + c];
 }

@@ -21,7 +21,8 @@ class PotdemBondStore : public FixBondHistory {
  public:
   // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed at the distance
   // -LENGTH, within reach of the contact law. Such a bond stays in LAMMPS's list with its type negated ('turned off').
-  enum { LENGTH, SECTION, NDATA };
+  // AREA: from area body; 0: none yet
+  enum { LENGTH, SECTION, AREA, NDATA };
 
   static PotdemBondStore *find(LAMMPS *);
   static PotdemBondStore *ensure(LAMMPS *);
@@ -31,9 +32,12 @@ class PotdemBondStore : public FixBondHistory {
   void setup_post_neighbor() override;
   void post_neighbor() override;
 
-  void store(int i, int slot, double length, double section);
+  void store(int i, int slot, double length, double section, double area = 0.0);
+  void store_area(int i, int slot, double area);
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
+
+  double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
 
   double longest() const;                   // largest reference length on any rank
   int slot(int i, tagint partner) const;    // bond of owned atom i with this partner, or -1
@@ -46,11 +50,22 @@ class PotdemBondStore : public FixBondHistory {
   bool overlapping() const { return noverlap > 0; }
   double failure_distance(int i, tagint partner) const;    // of a failed pair that is kept, else 0
 
+  // per-particle values, `width` of them: from the owners to all copies, and summed up by the owners
+  void allow_exchange(int width);    // before Comm::init
+  void forward(double *values, int width);
+  void reverse(double *values, int width);
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+
   int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
 
  private:
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
   int noverlap;
+  double *exchanged;
+  int exchanged_width;
 
   double **values() const;
   void forget_special(int i, tagint partner);

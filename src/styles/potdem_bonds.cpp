@@ -218,7 +218,7 @@ std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
                    atom->tag[j]);
       const bool cut = region && crosses_crack(x[low], x[high]);
       if (cut && r >= dbar) continue;
-      found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar)});
+      found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar), 0.0});
     }
   }
   return found;
@@ -260,7 +260,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     for (int m = 0; m < atom->num_bond[i]; m++) {
       types.push_back(atom->bond_type[i][m]);
       old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
-                     store ? store->section(i, m) : 0.0});
+                     store ? store->section(i, m) : 0.0, store ? store->area(i, m) : 0.0});
     }
   if (store) modify->delete_fix(store->id);
 
@@ -273,7 +273,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     const int i = old[k].i, m = atom->num_bond[i]++;
     atom->bond_type[i][m] = types[k];
     atom->bond_atom[i][m] = old[k].partner;
-    store->store(i, m, old[k].length, old[k].section);
+    store->store(i, m, old[k].length, old[k].section, old[k].area);
   }
 }
 

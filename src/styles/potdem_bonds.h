@@ -25,8 +25,8 @@ class PotdemBonds : public Command {
   struct NewBond {
     int i;    // owned atom
     tagint partner;
-    double length;    // negative: no bond but a contact of this length (PotdemBondStore)
-    double section;
+    double length;           // negative: no bond but a contact of this length (PotdemBondStore)
+    double section, area;    // area: as in PotdemBondStore
   };
 
   int igroup, btype;

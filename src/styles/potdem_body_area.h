@@ -1,0 +1,46 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* `area body`: hands LAMMPS's particles and the new bonds of one type to laws/body_area.h and puts the
+   areas into the bond store. */
+
+#ifndef LMP_POTDEM_BODY_AREA_H
+#define LMP_POTDEM_BODY_AREA_H
+
+#include "laws/body_area.h"
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+class PotdemBodyArea : protected Pointers {
+ public:
+  PotdemBodyArea(LAMMPS *, class PotdemBondStore *);
+
+  // density: V = m/density for each particle; 0: from the cells of the inner particles
+  void solve(int type, double density);
+
+ private:
+  struct Halo : public POTDEM::BodyHalo {
+    class PotdemBondStore *store;
+    MPI_Comm world;
+    void forward(double *, int) override;
+    void reverse(double *, int) override;
+    void sum(double *, int) override;
+  };
+
+  class PotdemBondStore *bond_store;
+  Halo halo;
+  POTDEM::BodyArea body;
+
+  bool collect(int type);
+  void give_volumes(double density);
+  void keep() const;
+  void report(int type, bigint count, double seconds) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
