@@ -158,9 +158,12 @@ void BondPotdemTruss::init_style()
   ledger = PotdemLedger::find(lmp);
   generation = -1;
   new_bonds = true;
-  bond_store->allow_exchange(POTDEM::BodyArea::WIDEST);
 
-  for (int type = 1; type <= atom->nbondtypes; type++) adopt(type);
+  for (int type = 1; type <= atom->nbondtypes; type++) {
+    adopt(type);
+    if (setflag[type] && coeffs[type].mode == BODY)
+      bond_store->allow_exchange(POTDEM::BodyArea::WIDEST);
+  }
   find_needs();
   if (damped) comm->ghost_velocity = 1;
   set_communication();
