@@ -67,7 +67,7 @@ def free_cube(lattice, cells, reach):
     force = np.zeros_like(points)
     force[low[0], 0], force[high[0], 0] = -area / low[0].sum(), area / high[0].sum()
     matrix = network.stiffness(points, network.bonds(points, reach), SECTION)
-    moved, stopped = cg(matrix, force.ravel(), tol=1e-11, maxiter=10000, M=diags(1 / matrix.diagonal()))
+    moved, stopped = cg(matrix, force.ravel(), tol=1e-11, atol=0, maxiter=10000, M=diags(1 / matrix.diagonal()))
     if stopped:
         raise ArithmeticError(f"free cube, {lattice}, {cells}, {reach}: conjugate gradients did not converge")
     moved = moved.reshape(-1, 3)
