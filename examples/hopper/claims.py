@@ -19,6 +19,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "harness"))
 import dumpfile  # noqa: E402
 import scanning  # noqa: E402
+from claim import Claim  # noqa: E402
 
 UPPER, LOWER, EDGE, EXIT = 0.32, 0.24, 0.03, 0.04    # m: z0, z1, x0, x1 of in.hopper
 FREE_FALL = 0.8 * 9.81                               # m/s^2, lambda = 0.2
@@ -64,6 +65,24 @@ def measure(folder):
     counts = "upper %d (%d at rest), lower %d (%d)" % tuple(on_ledges(frames[-1]))
     leaving = " ".join(f"{value:.2f}" for value in exit_velocities(frames))
     return f"block {velocity:.2f} of free fall, {100 * together:.0f} % together; {counts}; exit {leaving} m/s"
+
+
+def claims(folder_of):
+    """for the table of examples/run all"""
+    runs = [dumpfile.read_run(folder_of(name), "dump.hopper") for name in ("smooth", "rough-walls", "rough")]
+    together = [100 * block(frames)[1] for frames in runs]
+    upper, _, lower, _ = np.array([on_ledges(frames[-1]) for frames in runs]).T
+    leaving = [exit_velocities(frames) for frames in runs]
+    falls = min(together) > 50
+    grows = np.all(np.diff(upper) > 0) and np.all(np.diff(lower) > 0)
+    faster = all(np.all(np.diff(speeds) > 0) for speeds in leaving)
+    three = "{:.0f}, {:.0f}, {:.0f}".format
+    measured = (f"no friction, rough walls, rough: {three(*together)} % of the block's neighbours still together at 0.12 s; "
+                f"{three(*upper)} grains on the upper ledge, {three(*lower)} on the lower; exit "
+                f"{leaving[2][0]:.2f} to {leaving[2][-1]:.2f} m/s over 20 cm")
+    verdict = "yes" if falls and grows and faster else "partly" if grows or faster else "no"
+    return [Claim("7", "hopper: the right part falls about as a block; grains stay on both ledges, more with friction; the exit "
+                  "speed grows with height", "all", measured, verdict)]
 
 
 if __name__ == "__main__":
