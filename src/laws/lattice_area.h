@@ -1,23 +1,28 @@
 /* Area factor of a perfect lattice (`area lattice`): the a in A = a pi/4 d^2, with d the spacing of
-   nearest neighbours, for which uniaxial tension along a cube axis has exactly the modulus E.
+   nearest neighbours, for which uniaxial tension has exactly the modulus E: along a cube axis, and in hexagonal
+   packing along any direction of the basal plane.
 
-   With one truss per pair the stiffness tensor per cell volume V is, over the bonds of one particle,
-     C_ijkl = (1/2V) sum A E r n_i n_j n_k n_l      (pairs counted from both ends)
-   and 1/S_11 = C11 - 2 C12^2/(C11 + C12) = E fixes A. Bonds up to and including the longest one that is
-   there take part. Cubic lattices only: in them every site is a centre of inversion, so that the sum is
-   exact (hexagonal packing has two sites per cell, which move against each other under strain). */
+   With one truss per pair the stiffness tensor per particle's volume V is, over the bonds of one particle,
+     C = (1/2V) sum A E L m (x) m,   m = n (x) n      (pairs counted from both ends)
+   In hexagonal packing the two kinds of sites move against each other by u under strain; over the bonds
+   between them the energy's mixed and second derivatives with respect to u are
+     D = (1/2V) sum A E m (x) n,   K = (1/2V) sum (A E / L) n (x) n,
+   and C - D K^-1 D^T takes the place of C. Then 1/S_11 = E, S the inverse, fixes A. Bonds up to and including
+   the longest one that is there take part. */
 
 #ifndef POTDEM_LATTICE_AREA_H
 #define POTDEM_LATTICE_AREA_H
 
-#include <cmath>
+#include "mandel.h"
+
+#include <vector>
 
 namespace POTDEM {
 
-enum class Lattice { NONE, CUBIC, BCC, FCC };
+enum class Lattice { NONE, CUBIC, BCC, FCC, HCP };
 
-// named by the number of nearest neighbours; 12 is taken for fcc (the caller excludes hcp)
-inline Lattice lattice_of(int nearest)
+// named by the number of nearest neighbours and whether each of them faces another one
+inline Lattice lattice_of(int nearest, bool centred)
 {
   switch (nearest) {
     case 6:
@@ -25,44 +30,85 @@ inline Lattice lattice_of(int nearest)
     case 8:
       return Lattice::BCC;
     case 12:
-      return Lattice::FCC;
+      return centred ? Lattice::FCC : Lattice::HCP;
     default:
       return Lattice::NONE;
   }
 }
 
-// is (i,j,k), in half cube edges, a site of the lattice?
-inline bool is_site(Lattice lattice, int i, int j, int k)
+// an orthogonal cell with nearest neighbours at distance 1; sites in fractions of its edges
+struct LatticeCell {
+  struct Site {
+    Vector3 at;
+    bool second;    // of the other kind (hcp)
+  };
+  Vector3 edge;
+  std::vector<Site> sites;
+};
+
+inline LatticeCell lattice_cell(Lattice lattice)
 {
+  const double cube = lattice == Lattice::BCC ? 2.0 / std::sqrt(3.0)
+      : lattice == Lattice::FCC               ? std::sqrt(2.0)
+                                              : 1.0;
   switch (lattice) {
-    case Lattice::CUBIC:
-      return i % 2 == 0 && j % 2 == 0 && k % 2 == 0;
     case Lattice::BCC:
-      return (i % 2 == 0) == (j % 2 == 0) && (j % 2 == 0) == (k % 2 == 0);
+      return {{cube, cube, cube}, {{{0.0, 0.0, 0.0}, false}, {{0.5, 0.5, 0.5}, false}}};
     case Lattice::FCC:
-      return (i + j + k) % 2 == 0;
+      return {{cube, cube, cube},
+              {{{0.0, 0.0, 0.0}, false},
+               {{0.0, 0.5, 0.5}, false},
+               {{0.5, 0.0, 0.5}, false},
+               {{0.5, 0.5, 0.0}, false}}};
+    case Lattice::HCP:
+      return {{1.0, std::sqrt(3.0), std::sqrt(8.0 / 3.0)},
+              {{{0.0, 0.0, 0.0}, false},
+               {{0.5, 0.5, 0.0}, false},
+               {{0.5, 1.0 / 6.0, 0.5}, true},
+               {{0.0, 2.0 / 3.0, 0.5}, true}}};
     default:
-      return false;
+      return {{cube, cube, cube}, {{{0.0, 0.0, 0.0}, false}}};
   }
 }
 
-// half cube edge in units of the nearest distance
-inline double half_edge(Lattice lattice)
+struct LatticeBond {
+  Vector3 n;
+  double length;
+  bool second;    // to a site of the other kind
+};
+
+// of one particle, up to and including the shell at `reach`
+inline std::vector<LatticeBond> lattice_bonds(Lattice lattice, double reach)
 {
-  return lattice == Lattice::CUBIC ? 0.5
-      : lattice == Lattice::BCC    ? 1.0 / std::sqrt(3.0)
-                                   : 1.0 / std::sqrt(2.0);
+  static constexpr double SHELL = 1e-6;    // the reach is measured and carries rounding
+  const LatticeCell cell = lattice_cell(lattice);
+  int n[3];
+  for (int k = 0; k < 3; k++) n[k] = static_cast<int>(reach / cell.edge[k]) + 1;
+  std::vector<LatticeBond> found;
+  for (int i = -n[0]; i <= n[0]; i++)
+    for (int j = -n[1]; j <= n[1]; j++)
+      for (int k = -n[2]; k <= n[2]; k++)
+        for (const auto &site : cell.sites) {
+          Vector3 d = {cell.edge[0] * (i + site.at[0]), cell.edge[1] * (j + site.at[1]),
+                       cell.edge[2] * (k + site.at[2])};
+          const double r = std::sqrt(dot(d, d));
+          if (r == 0.0 || r > reach * (1.0 + SHELL)) continue;
+          for (auto &component : d) component /= r;
+          found.push_back({d, r, site.second});
+        }
+  return found;
 }
 
-// can a bond of this length (over the nearest distance) occur? Its square counts half edges.
+// can a bond of this length (over the nearest distance) occur?
 inline bool is_shell(Lattice lattice, double length, double tolerance)
 {
-  const double n = length * length / (half_edge(lattice) * half_edge(lattice));
-  return std::fabs(n - std::round(n)) < 2.0 * tolerance * n;
+  for (const auto &bond : lattice_bonds(lattice, length * (1.0 + tolerance)))
+    if (std::fabs(bond.length - length) < tolerance * length) return true;
+  return false;
 }
 
 struct LatticeAnswer {
-  double area_factor;
+  double area_factor;    // 0: a mechanism
   double poisson;
   int bonds;    // per particle
 };
@@ -70,26 +116,33 @@ struct LatticeAnswer {
 // reach: longest bond over spacing
 inline LatticeAnswer lattice_area(Lattice lattice, double reach)
 {
-  const double half = half_edge(lattice);
-  const double sites = lattice == Lattice::CUBIC ? 1.0 : lattice == Lattice::BCC ? 2.0 : 4.0;
-  const double volume =    // cell volume per particle
-      8.0 * half * half * half / sites;
-  const int n = static_cast<int>(reach / half) + 1;
-  double c11 = 0.0, c12 = 0.0;
-  int bonds = 0;
-  for (int i = -n; i <= n; i++)
-    for (int j = -n; j <= n; j++)
-      for (int k = -n; k <= n; k++) {
-        const double r = half * std::sqrt(static_cast<double>(i * i + j * j + k * k));
-        if ((i == 0 && j == 0 && k == 0) || r > reach * (1.0 + 1e-6) || !is_site(lattice, i, j, k))
-          continue;
-        const double x = half * i / r, y = half * j / r;
-        c11 += r * x * x * x * x / (2.0 * volume);
-        c12 += r * x * x * y * y / (2.0 * volume);
-        bonds++;
-      }
-  const double modulus = c11 - 2.0 * c12 * c12 / (c11 + c12);
-  return {1.0 / (modulus * 0.25 * M_PI), c12 / (c11 + c12), bonds};
+  static constexpr double SOFT = 1e-9;
+  const LatticeCell cell = lattice_cell(lattice);
+  const double volume = cell.edge[0] * cell.edge[1] * cell.edge[2] / cell.sites.size();
+  const auto bonds = lattice_bonds(lattice, reach);
+  Matrix3 normal{}, mixed{}, shift{};    // strains xx yy zz; with u; of u
+  bool shifts = false;
+  for (const auto &bond : bonds) {
+    const Vector3 m = {bond.n[0] * bond.n[0], bond.n[1] * bond.n[1], bond.n[2] * bond.n[2]};
+    add_dyad(normal, 0.5 * bond.length / volume, m, m);
+    if (!bond.second) continue;
+    shifts = true;
+    add_dyad(mixed, 0.5 / volume, m, bond.n);
+    add_dyad(shift, 0.5 / (volume * bond.length), bond.n, bond.n);
+  }
+  if (shifts && !cholesky(shift, 3)) return {0.0, 0.0, static_cast<int>(bonds.size())};
+  if (shifts)
+    for (auto &row : mixed) solve_lower(shift, row, 3);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) normal[i][j] -= dot(mixed[i], mixed[j]);
+  const double least = SOFT * normal[0][0];
+  Matrix3 firm = normal;
+  for (int i = 0; i < 3; i++) firm[i][i] -= least;
+  if (!cholesky(firm, 3)) return {0.0, 0.0, static_cast<int>(bonds.size())};
+  cholesky(normal, 3);
+  Vector3 strain = {1.0, 0.0, 0.0};    // of the stress 1 along x
+  solve_cholesky(normal, strain, 3);
+  return {strain[0] / (0.25 * M_PI), -strain[1] / strain[0], static_cast<int>(bonds.size())};
 }
 
 }    // namespace POTDEM

@@ -361,13 +361,12 @@ void BondPotdemTruss::find_lattice(int type)
   if (comm->me == most.rank) lattice_section(type, chosen, found);
   MPI_Bcast(found, 3, MPI_DOUBLE, most.rank, world);
   if (found[0] <= 0.0)
-    error->all(FLERR,
-               "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc or fcc "
-               "lattice with "
-               "enough bonds to be stiff; the particle with most bonds has {} and {} nearest "
-               "neighbours: use "
-               "area factor",
-               type, most.count, static_cast<int>(found[1]));
+    error->all(
+        FLERR,
+        "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc, fcc or hcp "
+        "lattice with enough bonds to be stiff; the particle with most bonds has {} and {} nearest "
+        "neighbours: use area body or area factor",
+        type, most.count, static_cast<int>(found[1]));
   coeffs[type].area = found[0];
   if (comm->me == 0)
     utils::logmesg(
@@ -389,14 +388,13 @@ void BondPotdemTruss::lattice_section(int type, int i, double *found) const
     return length < spacing * (1.0 + SHELL_TOLERANCE);
   });
   found[1] = nearest;
-  const auto lattice = POTDEM::lattice_of(nearest);
-  if (lattice == POTDEM::Lattice::NONE || (nearest == 12 && !centred(type, i, spacing))) return;
+  const auto lattice = POTDEM::lattice_of(nearest, nearest != 12 || centred(type, i, spacing));
+  if (lattice == POTDEM::Lattice::NONE) return;
   for (const double length : lengths)
     if (!POTDEM::is_shell(lattice, length / spacing, SHELL_TOLERANCE)) return;
   const auto answer = POTDEM::lattice_area(lattice, lengths.back() / spacing);
   found[2] = answer.bonds;
-  if (std::isfinite(answer.area_factor) && answer.area_factor > 0.0)
-    found[0] = answer.area_factor * POTDEM::truss_section(spacing);
+  found[0] = answer.area_factor * POTDEM::truss_section(spacing);
 }
 
 // fcc, unlike hcp, has every nearest neighbour face another one

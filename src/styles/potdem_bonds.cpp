@@ -29,8 +29,9 @@
 
 using namespace LAMMPS_NS;
 
-// a shell exactly at r_infl belongs to the body, whatever the rounding of its lattice
-static constexpr double SHELL_TOLERANCE = 1e-6;
+// a shell at r_infl belongs to the body, whatever the rounding of its positions, those of a file with few
+// digits included; the shells of a lattice are more than a hundredth apart
+static constexpr double SHELL_TOLERANCE = 1e-4;
 // a crack must be thicker than a bond's length divided by this
 static constexpr int CRACK_SAMPLES = 64;
 

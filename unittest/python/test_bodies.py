@@ -109,6 +109,16 @@ def test_two_bodies(run_lammps, tmp_path):
         assert found[kind] == expected
 
 
+@pytest.mark.parametrize("reach, shell", [("2.0", 32), ("1.99", 26)])
+def test_a_shell_at_the_reach_is_in_or_out_by_rule(run_lammps, reach, shell):
+    """positions off by up to 2e-5 of the spacing and diameters that scatter: the shell of a cubic lattice at two spacings is
+    all in with r_infl = 2 and all out with 1.99"""
+    script = scripts.box(6, "p p p") + scripts.crystal() + scripts.elastic()
+    script += "displace_atoms all random 2e-5 2e-5 2e-5 77 units box\nvariable d atom 0.9+0.2*random(0,1,5)\n"
+    script += f"set group all diameter v_d\npotdem_bonds all 1 {reach}\n"
+    assert bond_count(run_lammps(script).stdout) == [(216 * shell // 2, shell)]
+
+
 def test_crack(run_lammps, tmp_path):
     """bonds that cross the half plane x = 0, z > 0 are not made, all others are"""
     script = scripts.box(6) + "region crack block -0.05 0.05 INF INF 0 INF\n" + scripts.crystal() + scripts.elastic()
@@ -176,6 +186,31 @@ def test_area_lattice_gives_the_modulus(run_lammps, lattice, reach):
     # and what it is for: E from the two constants measured
     m11, m12 = sxx / strain, syy / strain
     assert m11 - 2 * m12**2 / (m11 + m12) == pytest.approx(E, rel=4e-6)
+
+
+@pytest.mark.parametrize("reach", [1.0, 1.5, 2.0])
+def test_area_lattice_of_hexagonal_packing(run_lammps, tmp_path, reach):
+    """the section that makes the modulus along the basal plane E. The two sublattices shift by u against each other:
+    the energy of a cell is a quadratic form of (exx, eyy, ezz, u), and u and the lateral strains minimise it"""
+    script = scripts.box((6, 4 * np.sqrt(3), 4 * np.sqrt(8 / 3)), "p p p")
+    script += "lattice hcp 1.0 origin 0.1 0.1 0.1\ncreate_atoms 1 region box\nset group all diameter 1 density 1\n"
+    script += scripts.elastic(area="lattice") + f"potdem_bonds all 1 {reach}\n"
+    script += "compute a all bond/local b3\ndump a all local 1 a.dump c_a\ndump_modify a format float %.17g\nrun 0\n"
+    script += scripts.write_dump("x.dump", "x y z")
+    run_lammps(script, nprocs=2)
+    areas = scripts.read_dump(tmp_path / "a.dump")[-1][1]["c_a"]
+    assert areas == pytest.approx(areas[0], rel=1e-15)
+
+    x, box = positions(tmp_path), np.array([6, 4 * np.sqrt(3), 4 * np.sqrt(8 / 3)])
+    d = x - x[0] - box * np.round((x - x[0]) / box)
+    r = np.linalg.norm(d, axis=1)
+    near = (r > 0.5) & (r < reach + 1e-6)
+    d, r = d[near], r[near]
+    other = np.round(d[:, 2] / np.sqrt(2 / 3)).astype(int) % 2    # every second plane is of the other kind
+    stretch = np.hstack([d**2, other[:, None] * d]) / r[:, None]
+    form = (stretch / r[:, None]).T @ stretch / (2 * np.sqrt(0.5))
+    modulus = 1 / np.linalg.inv(form)[0, 0]
+    assert areas[0] * modulus == pytest.approx(1.0, rel=1e-9)
 
 
 def test_area_lattice_does_not_depend_on_ranks(run_lammps):
