@@ -5,7 +5,8 @@
    step. `automatic` is the largest eta with which a single contact cannot: effective mass / step.
    At a wall all other forces on the particle are known, and `automatic` means the force that brings the
    particle to rest within the step (`stop`), as far as mu |F| allows: it holds a particle at rest
-   without creep. */
+   without creep.
+   Where a particle may spin, its surface gives way sooner: `sliding_mass` is what resists there. */
 
 #ifndef POTDEM_FRICTION_H
 #define POTDEM_FRICTION_H
@@ -13,6 +14,13 @@
 #include <cmath>
 
 namespace POTDEM {
+
+// mass that a tangential force at the surface accelerates there, over the particle's: 1/(1/m + a^2/I) with
+// arm = a/r, inertia = I/(m r^2); 2/7 for a solid sphere, 1/3 for a disc
+inline double sliding_mass(double arm, double inertia)
+{
+  return 1.0 / (1.0 + arm * arm / inertia);
+}
 
 struct Friction {
   double mu = 0.0;

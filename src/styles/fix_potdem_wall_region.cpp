@@ -14,6 +14,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "math_extra.h"
 #include "region.h"
 #include "update.h"
 
@@ -26,12 +27,19 @@ using namespace FixConst;
 // the thesis's soft layer, eq. 5.28
 static constexpr double LAYER_OVER_RADIUS = 0.1;
 static constexpr double LAYER_EXPONENT = 2.0;
+// over m r^2
+static constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;
+// friction of a particle that touches several faces: at most so many rounds, to this fraction of its limit
+static constexpr int MAX_ROUNDS = 200;
+static constexpr double ROUNDING = 1e-14;
+// a normal within this of the plane z = 0 lies in it
+static constexpr double UPRIGHT = 1e-9;
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), region(nullptr), ledger(nullptr), viscosity(0.0), mine(), total(),
-    summed(false)
+    Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), viscosity(0.0),
+    rotation(false), inertia(SPHERE_INERTIA), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -44,8 +52,9 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
 }
 
 /* ----------------------------------------------------------------------
-   REGION  E nu  particle E nu  [layer gamma_over_r m | layer none] [viscous H]  [friction mu eta|auto]
-   REGION  law lj|granular|truss  its coefficients and keywords as in pair_coeff  [friction mu eta|auto]
+   REGION  E nu  particle E nu  [layer gamma_over_r m | layer none] [viscous H]
+   REGION  law lj|granular|truss  its coefficients and keywords as in pair_coeff
+   both:  [friction mu eta|auto] [rotation no|yes|disc]
 ------------------------------------------------------------------------- */
 
 void FixPotdemWallRegion::read(int narg, char **arg)
@@ -78,7 +87,7 @@ void FixPotdemWallRegion::read_hertz(PotdemInput &input)
   const double modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
   law = POTDEM::LayeredHertzWall{{modulus, LAYER_OVER_RADIUS, LAYER_EXPONENT}};
   while (!input.done())
-    if (!read_hertz_option(input)) read_common(input, "layer or viscous");
+    if (!read_hertz_option(input)) read_common(input, "layer, viscous");
 }
 
 bool FixPotdemWallRegion::read_hertz_option(PotdemInput &input)
@@ -111,10 +120,22 @@ void FixPotdemWallRegion::read_common(PotdemInput &input, const char *names)
 {
   if (input.next_is("friction")) {
     friction = input.friction();
+  } else if (input.next_is("rotation")) {
+    read_rotation(input);
   } else {
     input.word();
-    input.unknown(fmt::format("friction or {}", names));
+    input.unknown(fmt::format("{}, friction or rotation", names));
   }
+}
+
+void FixPotdemWallRegion::read_rotation(PotdemInput &input)
+{
+  rotation = !input.next_is("no");
+  if (!rotation || input.next_is("yes")) return;
+  if (!input.next_is("disc"))
+    input.fail(fmt::format("rotation must be no, yes or disc, not '{}'", input.word()));
+  if (domain->dimension != 2) input.fail("rotation disc is for two dimensions, use rotation yes");
+  inertia = DISC_INERTIA;
 }
 
 int FixPotdemWallRegion::setmask()
@@ -136,9 +157,21 @@ void FixPotdemWallRegion::init()
                "Fix potdem/wall/region {} needs particle diameters, e.g. atom_style sphere or "
                "bpm/sphere",
                id);
+  surface.init(region);
+  check_rotation();
   if (friction.mu > 0.0 && friction.automatic)
     potdem_require_last(lmp, this, "balances the other forces on a particle ('friction auto')",
                         "^potdem/");
+}
+
+void FixPotdemWallRegion::check_rotation()
+{
+  if (!rotation) return;
+  if (!(atom->omega_flag && atom->torque_flag))
+    error->all(FLERR,
+               "Fix potdem/wall/region {}: rotation needs an atom style with spin, e.g. atom_style "
+               "sphere",
+               id);
 }
 
 void FixPotdemWallRegion::setup(int vflag)
@@ -151,21 +184,26 @@ void FixPotdemWallRegion::min_setup(int vflag)
   post_force(vflag);
 }
 
-void FixPotdemWallRegion::min_post_force(int vflag)
+void FixPotdemWallRegion::post_force(int vflag)
 {
-  post_force(vflag);
+  act<true>(vflag);
 }
 
-void FixPotdemWallRegion::post_force(int vflag)
+// what depends on velocities is no part of a minimum
+void FixPotdemWallRegion::min_post_force(int vflag)
+{
+  act<false>(vflag);
+}
+
+template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
 {
   v_init(vflag);
   std::fill(mine, mine + 7, 0.0);
   summed = false;
-  region->prematch();
-  if (region->dynamic_check()) region->set_velocity();
+  surface.follow();
   std::visit(
       [this](const auto &wall) {
-        push_with(wall);
+        push_with<MOTION>(wall);
       },
       law);
 }
@@ -173,110 +211,196 @@ void FixPotdemWallRegion::post_force(int vflag)
 /* ---------------------------------------------------------------------- */
 
 // the smallest kernel that the keywords need
-template <class Wall> void FixPotdemWallRegion::push_with(const Wall &wall)
+template <bool MOTION, class Wall> void FixPotdemWallRegion::push_with(const Wall &wall)
 {
-  const bool sliding = friction.mu > 0.0, viscous = Wall::viscous && viscosity > 0.0;
-  if (sliding)
-    viscous ? push_all<true, Wall::viscous>(wall) : push_all<true, false>(wall);
+  const bool sliding = MOTION && friction.mu > 0.0;
+  const bool viscous = MOTION && Wall::viscous && viscosity > 0.0;
+  if (sliding && rotation)
+    viscous ? push_all<true, true, Wall::viscous>(wall) : push_all<true, true, false>(wall);
+  else if (sliding)
+    viscous ? push_all<true, false, Wall::viscous>(wall) : push_all<true, false, false>(wall);
   else
-    viscous ? push_all<false, Wall::viscous>(wall) : push_all<false, false>(wall);
+    viscous ? push_all<false, false, Wall::viscous>(wall) : push_all<false, false, false>(wall);
 }
 
-template <bool SLIDE, bool VISCOUS, class Wall> void FixPotdemWallRegion::push_all(const Wall &wall)
+// friction comes after the normal forces of all faces: it has to balance them
+template <bool SLIDE, bool SPIN, bool VISCOUS, class Wall>
+void FixPotdemWallRegion::push_all(const Wall &wall)
 {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double *x = atom->x[i], ri = atom->radius[i];
-    if (!region->match(x[0], x[1], x[2]))
+    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    if (!domain->inside(x)) bring_back(x);
+    if (!surface.is_free(x))
       error->one(FLERR,
                  "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
                  "{}) on step {}; use "
                  "a smaller timestep, a stiffer wall, or start the particles inside the region",
                  id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
-    const int ncontact = region->surface(x[0], x[1], x[2], wall.reach(ri));
-    for (int c = 0; c < ncontact; c++) push<SLIDE, VISCOUS>(i, c, wall);
+    touches.clear();
+    for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
+      Touch touch;
+      if (press<SLIDE, VISCOUS>(i, face, wall, touch)) touches.push_back(touch);
+    }
+    if (SLIDE && !touches.empty()) rub<SPIN>(i);
   }
 }
 
-template <bool SLIDE, bool VISCOUS, class Wall>
-void FixPotdemWallRegion::push(int i, int c, const Wall &law)
+// between two neighbour lists a particle may be outside of a periodic box, though not by a period
+void FixPotdemWallRegion::bring_back(double *x) const
 {
-  const auto &contact = region->contact[c];
-  const double ri = atom->radius[i], r = contact.r;
-  if (r >= law.reach(ri)) return;
+  for (int k = 0; k < 3; k++)
+    if (x[k] < domain->boxlo[k] - domain->prd[k] || x[k] > domain->boxhi[k] + domain->prd[k])
+      return;
+  domain->remap(x);
+}
+
+template <bool SLIDE, bool VISCOUS, class Wall>
+bool FixPotdemWallRegion::press(int i, const PotdemWallSurface::Face &face, const Wall &law,
+                                Touch &touch)
+{
+  const double ri = atom->radius[i], r = face.r;
+  if (domain->dimension == 2 && out_of_plane(i, face)) return false;
   if (!(r > law.core(ri)))
     error->one(FLERR,
                "Fix potdem/wall/region {}: atom {} is {} from the wall on step {}, which is not "
                "beyond the smallest "
                "distance {} of the law; use a smaller timestep or a law that pushes harder",
                id, atom->tag[i], r, update->ntimestep, law.core(ri));
-  const double n[3] = {contact.delx / r, contact.dely / r, contact.delz / r};
   const auto at = law.evaluate(r, ri);
-
-  double normal = at.force, drag[3] = {0.0, 0.0, 0.0}, wall[3] = {0.0, 0.0, 0.0};
-  if (SLIDE || VISCOUS || ledger) region->velocity_contact(wall, atom->x[i], c);
-  if (SLIDE || VISCOUS) {
-    const double u[3] = {atom->v[i][0] - wall[0], atom->v[i][1] - wall[1], atom->v[i][2] - wall[2]};
-    const double leaving = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
-    if (VISCOUS)
-      normal = std::fmax(0.0, normal - at.force / (law.reach(ri) - r) * viscosity * leaving);
-    if (SLIDE && normal > 0.0) {
-      const double sliding[3] = {u[0] - leaving * n[0], u[1] - leaving * n[1],
-                                 u[2] - leaving * n[2]};
-      rub(i, n, normal, sliding, drag);
-    }
+  MathExtra::copy3(face.n, touch.n);
+  MathExtra::scale3(-r, face.n, touch.arm);
+  touch.normal = at.force;
+  if (SLIDE || VISCOUS || ledger) surface.velocity(face, touch.wall);
+  if (VISCOUS) {
+    double u[3];
+    MathExtra::sub3(atom->v[i], touch.wall, u);
+    const double leaving = MathExtra::dot3(u, touch.n);
+    touch.normal = std::fmax(0.0, at.force - at.force / (law.reach(ri) - r) * viscosity * leaving);
   }
-  if (ledger) book(i, n, normal - at.force, drag, normal, wall);
-
-  const double f[3] = {normal * n[0] + drag[0], normal * n[1] + drag[1], normal * n[2] + drag[2]};
-  const double del[3] = {contact.delx, contact.dely, contact.delz};
-  double foot[3];
-  for (int k = 0; k < 3; k++) {
-    atom->f[i][k] += f[k];
-    foot[k] = atom->x[i][k] - del[k];
-    mine[1 + k] -= f[k];
+  double f[3];
+  for (int k = 0; k < 3; k++) f[k] = touch.normal * touch.n[k];
+  if (ledger) {
+    const double viscous = touch.normal - at.force, *n = touch.n;
+    const double along = MathExtra::dot3(n, touch.wall);
+    ledger->add(PotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
+    ledger->add_slip(PotdemLedger::VISCOUS, viscous * along);
+    ledger->add_wall(touch.normal * along);
   }
   mine[0] += at.energy;
-  mine[4] -= foot[1] * f[2] - foot[2] * f[1];
-  mine[5] -= foot[2] * f[0] - foot[0] * f[2];
-  mine[6] -= foot[0] * f[1] - foot[1] * f[0];
+  add(i, touch, f);
+  return true;
+}
+
+// in two dimensions a face z = const is no wall
+bool FixPotdemWallRegion::out_of_plane(int i, const PotdemWallSurface::Face &face) const
+{
+  if (face.n[0] == 0.0 && face.n[1] == 0.0 && face.n[2] != 0.0) return true;
+  if (fabs(face.n[2]) > UPRIGHT)
+    error->one(
+        FLERR,
+        "Fix potdem/wall/region {}: the surface of region {} at atom {} is not normal to the "
+        "plane of a simulation in two dimensions",
+        id, region_id, atom->tag[i]);
+  return false;
+}
+
+// a force at the foot
+void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
+{
+  double foot[3], turn[3];
+  MathExtra::add3(atom->x[i], touch.arm, foot);
+  MathExtra::cross3(foot, f, turn);
+  for (int k = 0; k < 3; k++) {
+    atom->f[i][k] += f[k];
+    mine[1 + k] -= f[k];
+    mine[4 + k] -= turn[k];
+  }
   if (evflag) {
-    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2],
-                        f[0] * del[1], f[0] * del[2], f[1] * del[2]};
+    const double *arm = touch.arm;
+    double virial[6] = {-f[0] * arm[0], -f[1] * arm[1], -f[2] * arm[2],
+                        -f[0] * arm[1], -f[0] * arm[2], -f[1] * arm[2]};
     v_tally(i, virial);
   }
 }
 
-// viscous force along n and drag are dissipative; where the wall moves, part of their work is the wall's
-void FixPotdemWallRegion::book(int i, const double *n, double viscous, const double *drag,
-                               double normal, const double *wall)
+/* ---------------------------------------------------------------------- */
+
+// of the surface of particle i at the foot, along the wall
+template <bool SPIN> void FixPotdemWallRegion::sliding(int i, const Touch &touch, double *u) const
 {
-  const double along = n[0] * wall[0] + n[1] * wall[1] + n[2] * wall[2];
-  const double across = drag[0] * wall[0] + drag[1] * wall[1] + drag[2] * wall[2];
-  ledger->add(PotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
-  ledger->add(PotdemLedger::FRICTION, i, drag[0], drag[1], drag[2]);
-  ledger->add_slip(PotdemLedger::VISCOUS, viscous * along);
-  ledger->add_slip(PotdemLedger::FRICTION, across);
-  ledger->add_wall(normal * along + across);
+  MathExtra::sub3(atom->v[i], touch.wall, u);
+  if (SPIN) {
+    double surface[3];
+    MathExtra::cross3(atom->omega[i], touch.arm, surface);
+    MathExtra::add3(u, surface, u);
+  }
+  MathExtra::scaleadd3(-MathExtra::dot3(u, touch.n), touch.n, u, u);
 }
 
-// friction of particle i on a wall with normal n
-void FixPotdemWallRegion::rub(int i, const double *n, double normal, const double *sliding,
-                              double *drag) const
+template <bool SPIN> void FixPotdemWallRegion::rub(int i)
 {
-  const double speed =
-      sqrt(sliding[0] * sliding[0] + sliding[1] * sliding[1] + sliding[2] * sliding[2]);
-  if (!friction.automatic) {
-    const double b = speed > 0.0 ? friction.factor(speed, normal, friction.eta) : 0.0;
-    for (int k = 0; k < 3; k++) drag[k] = -b * sliding[k];
-    return;
+  if (friction.automatic) {
+    hold<SPIN>(i);
+  } else {
+    for (auto &touch : touches) {
+      sliding<SPIN>(i, touch, touch.drag);
+      const double speed = MathExtra::len3(touch.drag);
+      const double b = speed > 0.0 ? friction.factor(speed, touch.normal, friction.eta) : 0.0;
+      MathExtra::scale3(-b, touch.drag);
+    }
   }
-  const double *f = atom->f[i], mass_over_step = force->mvv2e * atom->rmass[i] / update->dt;
-  const double pressed = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
-  for (int k = 0; k < 3; k++) drag[k] = -mass_over_step * sliding[k] - (f[k] - pressed * n[k]);
-  const double stop = sqrt(drag[0] * drag[0] + drag[1] * drag[1] + drag[2] * drag[2]);
-  const double share = friction.share(stop, normal);
-  for (int k = 0; k < 3; k++) drag[k] *= share;
+  for (const auto &touch : touches) {
+    add(i, touch, touch.drag);
+    double turn[3];
+    MathExtra::cross3(touch.arm, touch.drag, turn);
+    if (SPIN) MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
+    if (!ledger) continue;
+    const double across = MathExtra::dot3(touch.drag, touch.wall);
+    ledger->add(PotdemLedger::FRICTION, i, touch.drag[0], touch.drag[1], touch.drag[2]);
+    if (SPIN) ledger->add_torque(i, turn);
+    ledger->add_slip(PotdemLedger::FRICTION, across);
+    ledger->add_wall(across);
+  }
+}
+
+// the forces that end the sliding at all faces within the step, the other forces (and torques) balanced, as far as
+// friction can: face by face, until nothing changes
+template <bool SPIN> void FixPotdemWallRegion::hold(int i)
+{
+  const double mass_over_step = force->mvv2e * atom->rmass[i] / update->dt, ri = atom->radius[i];
+  double f[3], torque[3] = {0.0, 0.0, 0.0}, change = 0.0, largest = 0.0;
+  MathExtra::copy3(atom->f[i], f);
+  if (SPIN) MathExtra::copy3(atom->torque[i], torque);
+  for (auto &touch : touches) {
+    MathExtra::zero3(touch.drag);
+    largest = std::fmax(largest, friction.mu * touch.normal);
+  }
+  for (int round = 0; round < MAX_ROUNDS; round++) {
+    change = 0.0;
+    for (auto &touch : touches) {
+      double stop[3], more[3];
+      sliding<SPIN>(i, touch, stop);
+      const double pressed = MathExtra::dot3(f, touch.n);
+      for (int k = 0; k < 3; k++)
+        stop[k] = -mass_over_step * stop[k] - (f[k] - pressed * touch.n[k]);
+      if (SPIN) {
+        double roll[3];
+        MathExtra::cross3(torque, touch.arm, roll);
+        const double share = POTDEM::sliding_mass(MathExtra::len3(touch.arm) / ri, inertia);
+        for (int k = 0; k < 3; k++) stop[k] = share * (stop[k] - roll[k] / (inertia * ri * ri));
+      }
+      MathExtra::add3(stop, touch.drag, stop);
+      MathExtra::scale3(friction.share(MathExtra::len3(stop), touch.normal), stop);
+      MathExtra::sub3(stop, touch.drag, more);
+      MathExtra::copy3(stop, touch.drag);
+      MathExtra::add3(f, more, f);
+      MathExtra::cross3(touch.arm, more, stop);
+      MathExtra::add3(torque, stop, torque);
+      change = std::fmax(change, MathExtra::len3(more));
+    }
+    if (touches.size() == 1 || change <= ROUNDING * largest) return;
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -8,11 +8,13 @@
 
 #include "laws/friction.h"
 #include "laws/wall.h"
+#include "potdem_wall_surface.h"
 
 #include "fix.h"
 
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -29,14 +31,27 @@ class FixPotdemWallRegion : public Fix {
   double compute_vector(int) override;
 
  private:
+  // a particle that touches a face
+  struct Touch {
+    double n[3];       // off the wall
+    double arm[3];     // from the centre to the foot on the surface
+    double normal;     // force
+    double wall[3];    // velocity of the surface at the foot
+    double drag[3];    // friction
+  };
+
   std::string region_id;
   class Region *region;
+  PotdemWallSurface surface;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
   std::variant<POTDEM::LayeredHertzWall, POTDEM::LawWall<POTDEM::ShiftedLJ>,
                POTDEM::LawWall<POTDEM::RegularisedGranular>, POTDEM::LawWall<POTDEM::TrussContact>>
       law;
   POTDEM::Friction friction;
   double viscosity;    // H of eq. 5.17, time
+  bool rotation;
+  double inertia;                // of a particle that spins, over m r^2
+  std::vector<Touch> touches;    // of one particle
 
   double mine[7], total[7];    // energy, force and torque of the particles on the wall
   bool summed;
@@ -46,13 +61,20 @@ class FixPotdemWallRegion : public Fix {
   bool read_hertz_option(class PotdemInput &);
   template <class Law> void read_wall(class PotdemInput &);
   void read_common(class PotdemInput &, const char *names);
+  void read_rotation(class PotdemInput &);
+  void check_rotation();
 
-  template <class Wall> void push_with(const Wall &);
-  template <bool SLIDE, bool VISCOUS, class Wall> void push_all(const Wall &);
-  template <bool SLIDE, bool VISCOUS, class Wall> void push(int i, int contact, const Wall &);
-  void rub(int i, const double *n, double normal, const double *sliding, double *drag) const;
-  void book(int i, const double *n, double viscous, const double *drag, double normal,
-            const double *wall);
+  template <bool MOTION> void act(int vflag);
+  template <bool MOTION, class Wall> void push_with(const Wall &);
+  template <bool SLIDE, bool SPIN, bool VISCOUS, class Wall> void push_all(const Wall &);
+  template <bool SLIDE, bool VISCOUS, class Wall>
+  bool press(int i, const PotdemWallSurface::Face &, const Wall &, Touch &);
+  template <bool SPIN> void rub(int i);
+  template <bool SPIN> void hold(int i);
+  template <bool SPIN> void sliding(int i, const Touch &, double *u) const;
+  void bring_back(double *x) const;
+  bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
+  void add(int i, const Touch &, const double *f);
   double sum(int);
 };
 

@@ -138,7 +138,7 @@ CASES = {
     "wall particle E": (wall("floor 5 0.3 particle 0 0.3"), ["particle E = 0", "> 0"]),
     "wall particle nu": (wall("floor 5 0.3 particle 5 -1"), ["particle nu = -1", "> -1"]),
     "wall particle missing": (wall("floor 5 0.3 particle 5"), ["fix potdem/wall/region", "missing"]),
-    "wall keyword": (wall("floor 5 0.3 particle 5 0.3 rough"), ["'rough'", "friction or layer or viscous"]),
+    "wall keyword": (wall("floor 5 0.3 particle 5 0.3 rough"), ["'rough'", "layer, viscous, friction or rotation"]),
     "wall layer": (wall("floor 5 0.3 particle 5 0.3 layer 0 2"), ["layer gamma_over_r = 0", "> 0"]),
     "wall layer exponent": (wall("floor 5 0.3 particle 5 0.3 layer 0.1 0.5"), ["layer m = 0.5", ">= 1"]),
     "wall layer missing": (wall("floor 5 0.3 particle 5 0.3 layer 0.1"), ["fix potdem/wall/region", "missing"]),

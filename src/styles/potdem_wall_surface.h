@@ -1,0 +1,74 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* The surface of a region as a wall: where a sphere may touch it, and how fast it moves there.
+
+   Places and nearest points come from LAMMPS's regions. What is done here is what they lack (as of 4Feb2025): unions and
+   intersections whose parts meet flush, or turn; velocities of parts, at the set-up of a run, and about an axis that is
+   no unit vector; open faces met exactly at their edge; the reach of ellipsoids. */
+
+#ifndef LMP_POTDEM_WALL_SURFACE_H
+#define LMP_POTDEM_WALL_SURFACE_H
+
+#include "pointers.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class Region;
+
+class PotdemWallSurface : protected Pointers {
+ public:
+  // a place where a sphere may touch
+  struct Face {
+    int part;
+    double foot[3];    // on the surface
+    double n[3];       // from there to the centre
+    double r;          // distance
+    bool grows;        // its velocity is that of a change of shape, too
+  };
+
+  PotdemWallSurface(LAMMPS *);
+  void init(Region *);
+  void follow();                          // before the wall is used in a step
+  bool is_free(const double *x) const;    // may a centre be there?
+  const std::vector<Face> &faces(const double *x, double reach);
+  void velocity(const Face &, double *u) const;
+
+ private:
+  struct Part {
+    Region *region;
+    double search;        // how far LAMMPS is to look for contacts, over the reach
+    double angle;         // of a rotation, at the latest step
+    double axis_scale;    // 1 over the length of its axis
+  };
+
+  // a region in a union or intersection, the number of its first part, and its faces begin to end
+  struct Sibling {
+    Region *region;
+    int part;
+    std::size_t begin, end;
+  };
+
+  Region *region;
+  std::vector<Part> parts;
+  std::vector<Face> found;
+  bigint step;    // of the latest call of follow
+  bool moving;    // there are two steps to take a difference of
+
+  void collect(Region *, int &part, const double *x, double reach, std::vector<Face> &) const;
+  void collect_part(int part, const double *x, double reach, std::vector<Face> &) const;
+  void prune(const std::vector<Sibling> &, bool intersection, double lift,
+             std::vector<Face> &) const;
+  bool hides(const Sibling &, const Sibling &owner, const std::vector<Face> &, std::size_t face,
+             bool intersection, double lift) const;
+  bool is_flush(const Sibling &, const Sibling &owner, const Face &, const Face &nearer,
+                double lift) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
