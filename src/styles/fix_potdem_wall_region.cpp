@@ -358,7 +358,7 @@ template <bool SPIN> void FixPotdemWallRegion::rub(int i)
     if (!ledger) continue;
     const double across = MathExtra::dot3(touch.drag, touch.wall);
     ledger->add(PotdemLedger::FRICTION, i, touch.drag[0], touch.drag[1], touch.drag[2]);
-    if (SPIN) ledger->add_torque(i, turn);
+    if (SPIN) ledger->add_torque(i, 1.0, turn);
     ledger->add_slip(PotdemLedger::FRICTION, across);
     ledger->add_wall(across);
   }
