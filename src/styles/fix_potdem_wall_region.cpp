@@ -227,10 +227,11 @@ template <bool MOTION, class Wall> void FixPotdemWallRegion::push_with(const Wal
 template <bool SLIDE, bool SPIN, bool VISCOUS, class Wall>
 void FixPotdemWallRegion::push_all(const Wall &wall)
 {
+  const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
-    if (!domain->inside(x)) bring_back(x);
+    if (periodic && !domain->inside(x)) bring_back(x);
     if (!surface.is_free(x))
       error->one(FLERR,
                  "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "

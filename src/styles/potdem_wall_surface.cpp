@@ -6,7 +6,6 @@
 #include "potdem_wall_surface.h"
 
 #include "math_extra.h"
-#include "region.h"
 #include "update.h"
 
 #include <algorithm>
@@ -120,24 +119,26 @@ void PotdemWallSurface::velocity(const Face &face, double *u) const
 
 /* ---------------------------------------------------------------------- */
 
-bool PotdemWallSurface::is_free(const double *x) const
+bool PotdemWallSurface::is_free_of_parts(const double *x) const
 {
   return ::is_free(region, x);
 }
 
-const std::vector<PotdemWallSurface::Face> &PotdemWallSurface::faces(const double *x, double reach)
+void PotdemWallSurface::collect_all(const double *x, double reach)
 {
-  found.clear();
   int part = 0;
   collect(region, part, x, reach, found);
-  return found;
 }
 
 // part: number of the first part, then of the one after the last
 void PotdemWallSurface::collect(Region *whole, int &part, const double *x, double reach,
                                 std::vector<Face> &out) const
 {
-  if (!whole->reglist) return collect_part(part++, x, reach, out);
+  if (!whole->reglist) {
+    add_faces(part, whole->surface(x[0], x[1], x[2], parts[part].search * reach), x, reach, out);
+    part++;
+    return;
+  }
   if (!whole->interior) turn_parts_inside_out(whole);
   std::vector<Sibling> siblings;
   for (int k = 0; k < whole->nregion; k++) {
@@ -149,17 +150,16 @@ void PotdemWallSurface::collect(Region *whole, int &part, const double *x, doubl
   if (!whole->interior) turn_parts_inside_out(whole);
 }
 
-void PotdemWallSurface::collect_part(int part, const double *x, double reach,
-                                     std::vector<Face> &out) const
+// the n contacts of a part
+void PotdemWallSurface::add_faces(int part, int n, const double *x, double reach,
+                                  std::vector<Face> &out) const
 {
   const auto from = parts[part].region;
-  const double far = parts[part].search * reach;
-  int n = from->surface(x[0], x[1], x[2], far);
   if (n > 1 && from->openflag && !from->rotateflag) {
     // exactly on the boundary of a region with open faces LAMMPS counts the contacts seen from outside and from
     // inside, and describes the latter
     double place[3] = {x[0] - from->dx, x[1] - from->dy, x[2] - from->dz};
-    n = from->surface_interior(place, far);
+    n = from->surface_interior(place, parts[part].search * reach);
   }
   for (int k = 0; k < n; k++) {
     const auto &contact = from->contact[k];

@@ -13,12 +13,11 @@
 #define LMP_POTDEM_WALL_SURFACE_H
 
 #include "pointers.h"
+#include "region.h"
 
 #include <vector>
 
 namespace LAMMPS_NS {
-
-class Region;
 
 class PotdemWallSurface : protected Pointers {
  public:
@@ -33,9 +32,21 @@ class PotdemWallSurface : protected Pointers {
 
   PotdemWallSurface(LAMMPS *);
   void init(Region *);
-  void follow();                          // before the wall is used in a step
-  bool is_free(const double *x) const;    // may a centre be there?
-  const std::vector<Face> &faces(const double *x, double reach);
+  void follow();                         // before the wall is used in a step
+  bool is_free(const double *x) const    // may a centre be there?
+  {
+    return region->reglist ? is_free_of_parts(x) : region->match(x[0], x[1], x[2]) != 0;
+  }
+  // an empty list for most particles: quickly
+  const std::vector<Face> &faces(const double *x, double reach)
+  {
+    found.clear();
+    if (region->reglist)
+      collect_all(x, reach);
+    else if (const int n = region->surface(x[0], x[1], x[2], parts[0].search * reach))
+      add_faces(0, n, x, reach, found);
+    return found;
+  }
   void velocity(const Face &, double *u) const;
 
  private:
@@ -59,8 +70,10 @@ class PotdemWallSurface : protected Pointers {
   bigint step;    // of the latest call of follow
   bool moving;    // there are two steps to take a difference of
 
+  bool is_free_of_parts(const double *x) const;
+  void collect_all(const double *x, double reach);
   void collect(Region *, int &part, const double *x, double reach, std::vector<Face> &) const;
-  void collect_part(int part, const double *x, double reach, std::vector<Face> &) const;
+  void add_faces(int part, int n, const double *x, double reach, std::vector<Face> &) const;
   void prune(const std::vector<Sibling> &, bool intersection, double lift,
              std::vector<Face> &) const;
   bool hides(const Sibling &, const Sibling &owner, const std::vector<Face> &, std::size_t face,
