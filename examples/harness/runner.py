@@ -10,7 +10,9 @@ from pathlib import Path
 
 import logfile
 
-LMP = Path(__file__).resolve().parent.parent.parent / "build" / "lmp"
+ROOT = Path(__file__).resolve().parent.parent.parent
+LMP = ROOT / "build" / "lmp"
+MATERIALS = ROOT / "potentials"
 TOTAL_STEPS = "POTDEM total steps "
 
 
@@ -128,7 +130,8 @@ def environment():
     }
     if os.getuid() == 0:
         settings.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return {**settings, **os.environ}
+    folders = [str(MATERIALS), *filter(None, [os.environ.get("LAMMPS_POTENTIALS")])]
+    return {**settings, **os.environ, "LAMMPS_POTENTIALS": os.pathsep.join(folders)}
 
 
 def command(lmp, script, variables, log, nprocs):

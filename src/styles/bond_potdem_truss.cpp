@@ -104,7 +104,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
 BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
 {
   Coeff c{};
-  c.E = input.positive("E");
+  c.E = input.property("E");
   if (!input.next_is("area")) {
     input.word();
     input.unknown("area");

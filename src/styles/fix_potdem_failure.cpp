@@ -49,9 +49,9 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
   btype = input.bond_type();
   while (!input.done()) {
     if (input.next_is("tension"))
-      tension = input.positive("tension strength");
+      tension = input.property("tension");
     else if (input.next_is("compression"))
-      compression = input.positive("compression strength");
+      compression = input.property("compression");
     else if (input.next_is("scatter"))
       scatter = read_scatter(input);
     else {

@@ -79,12 +79,12 @@ void FixPotdemWallRegion::read(int narg, char **arg)
 
 void FixPotdemWallRegion::read_hertz(PotdemInput &input)
 {
-  const double Ewall = input.positive("E of the wall"), nuwall = input.poisson("nu of the wall");
+  const auto wall = input.properties({"E", "nu"}, " of the wall");
   if (!input.next_is("particle"))
     input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of "
                "the wall");
-  const double E = input.positive("particle E"), nu = input.poisson("particle nu");
-  const double modulus = POTDEM::contact_modulus(E, nu, Ewall, nuwall);
+  const auto grain = input.properties({"E", "nu"}, " of the particle");
+  const double modulus = POTDEM::contact_modulus(grain[0], grain[1], wall[0], wall[1]);
   law = POTDEM::LayeredHertzWall{{modulus, LAYER_OVER_RADIUS, LAYER_EXPONENT}};
   while (!input.done())
     if (!read_hertz_option(input)) read_common(input, "layer, viscous");

@@ -10,6 +10,7 @@
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
+#include "potdem_material_file.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -69,6 +71,50 @@ void PairPotdemBase::settings(int narg, char **arg)
       input.unknown(setting_names());
     }
   }
+}
+
+bool PairPotdemBase::lists_materials(int narg, char **arg) const
+{
+  return narg > 2 && strcmp(arg[0], "*") == 0 && strcmp(arg[1], "*") == 0 &&
+      PotdemMaterialFile::is(arg[2]);
+}
+
+/* ----------------------------------------------------------------------
+   * *  FILE.potdem  a material or NULL for each type  what follows in pair_coeff
+   the same as a pair_coeff for each type; pairs of them are mixed
+------------------------------------------------------------------------- */
+
+void PairPotdemBase::coeff_by_material(int narg, char **arg)
+{
+  const int ntypes = atom->ntypes;
+  PotdemInput input(lmp, fmt::format("pair_coeff {}", name()), narg, arg);
+  const std::vector<std::string> words(arg + 3, arg + narg);
+  PotdemMaterialFile(lmp, input, arg[2]).check_list(input, words);
+  const auto given = [&words](int type) {
+    return words[type - 1] != "NULL";
+  };
+  for (int i = 1; i <= ntypes; i++) {
+    if (!given(i)) continue;
+    const auto type = std::to_string(i);
+    std::vector<std::string> line{type, type, arg[2], words[i - 1]};
+    line.insert(line.end(), words.begin() + ntypes, words.end());
+    PotdemWords one(line);
+    coeff(one.narg(), one.arg());
+  }
+  for (int i = 1; i <= ntypes; i++)
+    for (int j = i + 1; j <= ntypes; j++)
+      if (given(i) && given(j)) leave_to_mixing(i, j);
+  publish();
+}
+
+// hybrid/overlay gives no pairs to mix: a pair that is not set is left out there
+void PairPotdemBase::leave_to_mixing(int i, int j)
+{
+  setflag[i][j] = 0;
+  if (force->pair == this) return;
+  mix(i, j);
+  mix_friction(i, j);
+  setflag[i][j] = 1;
 }
 
 void PairPotdemBase::set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &slide)

@@ -67,6 +67,8 @@ class PairPotdemBase : public Pair {
   int atom_types;
 
   virtual void allocate();
+  bool lists_materials(int narg, char **arg) const;
+  void coeff_by_material(int narg, char **arg);
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
   POTDEM::Pairing pairing(int i, int j) const;
 
@@ -117,6 +119,7 @@ class PairPotdemBase : public Pair {
   void find_needs();
   void dissipative(int pair, PotdemTouch, double elastic, double weight);
   void mix_friction(int i, int j);
+  void leave_to_mixing(int i, int j);
   std::string coeff_line(int pair) const;
   double *coeff_named(int pair, const std::string &name);
   void publish();

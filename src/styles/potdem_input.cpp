@@ -5,12 +5,15 @@
 
 #include "potdem_input.h"
 
+#include "potdem_material_file.h"
+
 #include "atom.h"
 #include "error.h"
 #include "fix.h"
 #include "modify.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -42,7 +45,9 @@ void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &re
 
 /* ---------------------------------------------------------------------- */
 
-PotdemWords::PotdemWords(const std::string &text) : words(utils::split_words(text))
+PotdemWords::PotdemWords(const std::string &text) : PotdemWords(utils::split_words(text)) {}
+
+PotdemWords::PotdemWords(std::vector<std::string> _words) : words(std::move(_words))
 {
   for (auto &word : words) pointers.push_back(&word[0]);
 }
@@ -157,11 +162,60 @@ void PotdemInput::penetration(int &m, int &normalized)
   normalized = next_is("normalized");
 }
 
+std::vector<double> PotdemInput::properties(std::initializer_list<const char *> names,
+                                            const std::string &owner)
+{
+  if (!done() && PotdemMaterialFile::is(arg[at])) return of_material(names);
+  std::vector<double> values;
+  for (const auto *name : names) {
+    const auto *const property = PotdemProperty::find(name);
+    values.push_back((this->*property->read)(property->label + owner));
+  }
+  return values;
+}
+
+std::vector<double> PotdemInput::of_material(std::initializer_list<const char *> names)
+{
+  const auto file = std::make_shared<PotdemMaterialFile>(lmp, *this, word());
+  const std::string material = word();
+  materials.emplace_back(file, material);
+  std::vector<double> values;
+  std::string text;
+  for (const auto *name : names) {
+    values.push_back(file->value(*this, material, name));
+    text += fmt::format("{} {} = {:g}", text.empty() ? "" : ",", name, values.back());
+  }
+  utils::logmesg(lmp, "{}: {} in {}:{}\n", command, material, file->title(), text);
+  return values;
+}
+
+double PotdemInput::stiffness()
+{
+  if (done() || !PotdemMaterialFile::is(arg[at])) return positive("K0");
+  const double E = property("E");
+  if (!next_is("length"))
+    fail("a material has no stiffness K0 of its own: put 'length L' after it, for K0 = E L");
+  return E * positive("length L");
+}
+
 POTDEM::Friction PotdemInput::friction()
 {
   POTDEM::Friction friction;
-  friction.mu = nonnegative("friction mu");
+  friction.mu = next_is("file") ? friction_of_materials() : property("friction");
   friction.automatic = next_is("auto");
   if (!friction.automatic) friction.eta = nonnegative("friction eta");
   return friction;
+}
+
+// the more slippery of the materials in this command decides, as in mixing
+double PotdemInput::friction_of_materials()
+{
+  if (materials.empty())
+    fail("'friction file' takes mu from the materials of this command, but it has none; give a "
+         "number, or FILE.potdem MATERIAL in place of the elastic constants");
+  std::vector<double> mu;
+  for (const auto &one : materials) mu.push_back(one.first->value(*this, one.second, "friction"));
+  const double least = *std::min_element(mu.begin(), mu.end());
+  utils::logmesg(lmp, "{}: friction mu = {:g} by material file\n", command, least);
+  return least;
 }

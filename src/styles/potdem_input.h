@@ -12,7 +12,10 @@
 
 #include "pointers.h"
 
+#include <initializer_list>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -29,6 +32,7 @@ void potdem_require_last(LAMMPS *lmp, class Fix *fix, const std::string &reason,
 class PotdemWords {
  public:
   explicit PotdemWords(const std::string &text);
+  explicit PotdemWords(std::vector<std::string> words);
   int narg() const { return static_cast<int>(words.size()); }
   char **arg() { return pointers.data(); }
 
@@ -36,6 +40,8 @@ class PotdemWords {
   std::vector<std::string> words;
   std::vector<char *> pointers;
 };
+
+class PotdemMaterialFile;
 
 class PotdemInput : protected Pointers {
  public:
@@ -55,7 +61,12 @@ class PotdemInput : protected Pointers {
   int bond_type();
   bool next_is(const std::string &word);    // consume the next argument if it is this word
   void type_ranges(int &ilo, int &ihi, int &jlo, int &jhi);    // I J of pair_coeff
-  POTDEM::Friction friction();                  // the values after 'friction': mu eta|auto
+  // properties of a material (PotdemProperty): numbers in this order, or 'FILE.potdem MATERIAL'
+  std::vector<double> properties(std::initializer_list<const char *> names,
+                                 const std::string &owner = "");
+  double property(const char *name) { return properties({name}).front(); }
+  double stiffness();                           // K0, or 'FILE.potdem MATERIAL length L'
+  POTDEM::Friction friction();                  // the values after 'friction': mu|file eta|auto
   void penetration(int &m, int &normalized);    // the values after 'penetration': m [normalized]
   [[noreturn]] void unknown(const std::string &choices);
   [[noreturn]] void fail(const std::string &text);
@@ -64,7 +75,10 @@ class PotdemInput : protected Pointers {
   std::string command;
   int narg, at;
   char **arg;
+  std::vector<std::pair<std::shared_ptr<PotdemMaterialFile>, std::string>> materials;    // so far
 
+  std::vector<double> of_material(std::initializer_list<const char *> names);
+  double friction_of_materials();
   [[noreturn]] void range(const std::string &name, double value, const std::string &allowed);
 };
 

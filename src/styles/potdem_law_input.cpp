@@ -27,7 +27,7 @@ namespace {
 
 void read_law(PotdemInput &input, POTDEM::TrussContact &law)
 {
-  law.E = input.positive("E");
+  law.E = input.property("E");
   law.a = input.positive("a");
 }
 
@@ -55,7 +55,7 @@ double *law_coefficient(POTDEM::TrussContact &law, const std::string &name)
 
 void read_law(PotdemInput &input, POTDEM::ShiftedLJ &law)
 {
-  law.K0 = input.positive("K0");
+  law.K0 = input.stiffness();
   law.R = input.positive("R");
   law.n = input.positive("n");
   law.alpha = input.fraction("alpha");
@@ -86,7 +86,7 @@ double *law_coefficient(POTDEM::ShiftedLJ &law, const std::string &name)
 
 void read_law(PotdemInput &input, POTDEM::RegularisedGranular &law)
 {
-  law.K0 = input.positive("K0");
+  law.K0 = input.stiffness();
   law.n = input.above("n", 2.0);
   law.alpha = input.fraction("alpha");
   if (law.alpha == 0.0) input.fail("alpha = 0 is out of range, it must be > 0 and < 1");
@@ -114,8 +114,8 @@ double *law_coefficient(POTDEM::RegularisedGranular &law, const std::string &nam
 
 void read_law(PotdemInput &input, POTDEM::Hertz &law)
 {
-  const double E = input.positive("E"), nu = input.poisson("nu");
-  law = POTDEM::Hertz::of(E, nu);
+  const auto solid = input.properties({"E", "nu"});
+  law = POTDEM::Hertz::of(solid[0], solid[1]);
 }
 
 bool read_option(PotdemInput &input, POTDEM::Hertz &law)

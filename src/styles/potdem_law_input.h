@@ -6,7 +6,8 @@
 /* Reading and writing the coefficients of the contact laws, for pairs and for walls. For each law: the required
    values, one optional keyword at a time, the keywords' names for the error message, the text that
    reads back as the same law, and the coefficient of a given name (null: none), for fix adapt. A law whose coefficient
-   has been changed must be read back from its text, which checks it and completes what depends on it. */
+   has been changed must be read back from its text, which checks it and completes what depends on it.
+   'FILE.potdem MATERIAL' may stand for E and for E nu, and with 'length L' for K0. */
 
 #ifndef LMP_POTDEM_LAW_INPUT_H
 #define LMP_POTDEM_LAW_INPUT_H

@@ -35,6 +35,7 @@ template <class Law> void PairPotdem<Law>::allocate()
 template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
 {
   if (!allocated) allocate();
+  if (lists_materials(narg, arg)) return coeff_by_material(narg, arg);
   PotdemInput input(lmp, fmt::format("pair_coeff {}", name()), narg, arg);
   int ilo, ihi, jlo, jhi;
   input.type_ranges(ilo, ihi, jlo, jhi);

@@ -26,6 +26,7 @@ ComputeStyle(potdem/energy,ComputePotdemEnergy);
 ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
 #elif defined(COMMAND_CLASS)
 CommandStyle(potdem_bonds,PotdemBonds);
+CommandStyle(potdem_material,PotdemMaterial);
 #else
 // clang-format on
 #ifndef LMP_POTDEM_STYLES_H
@@ -45,5 +46,6 @@ CommandStyle(potdem_bonds,PotdemBonds);
 #include "potdem_bond_store.h"
 #include "potdem_bonds.h"
 #include "potdem_ledger.h"
+#include "potdem_material.h"
 #endif
 #endif

@@ -143,10 +143,10 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
     text = source.read_text()
     keywords = re.findall(r'next_is\("(\w+)"\)', text)
     # those that potdem_input.cpp reads for several styles
-    keywords += ["auto"] * ("input.friction()" in text) + ["normalized"] * ("input.penetration(" in text)
+    keywords += ["file", "auto"] * ("input.friction()" in text) + ["normalized"] * ("input.penetration(" in text)
     if kind == "pair":    # and those that potdem_pair_loop.h and potdem_law_input.cpp read for all pair styles
-        keywords += ["rotation", "friction"] + {"truss": ["penetration", "normalized"], "hertz": ["viscous", "attract"]}.get(
-            name.split("/")[1], ["cut"])
+        keywords += ["rotation", "friction", "file"] + {"truss": ["penetration", "normalized"], "hertz": ["viscous", "attract"]}.get(
+            name.split("/")[1], ["length", "cut"])
     page = page_of(kind, name).read_text(encoding="utf-8")
     syntax = section(page, "Syntax")
     assert [word for word in keywords if not re.search(rf"\b{word}\b", syntax)] == []
