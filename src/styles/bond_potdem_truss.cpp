@@ -116,7 +116,7 @@ BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
     c.mode = LATTICE;
   } else if (input.next_is("body")) {
     c.mode = BODY;
-    if (input.next_is("density")) c.area = input.positive("area body density");
+    if (input.next_is("density")) c.area = input.properties({"density"}, " of area body").front();
   } else {
     input.word();
     input.unknown("area factor, area lattice or area body");

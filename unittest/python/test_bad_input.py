@@ -58,7 +58,7 @@ CASES = {
     "bond area missing": (bond("* 5 factor 0.5"), ["'factor'", "expected area"]),
     "bond area nothing": (bond("* 5"), ["bond_coeff potdem/truss", "missing"]),
     "bond area mode": (bond("* 5 area all"), ["'all'", "area factor, area lattice or area body"]),
-    "bond area density": (bond("* 5 area body density 0"), ["area body density = 0", "> 0"]),
+    "bond area density": (bond("* 5 area body density 0"), ["density of area body = 0", "> 0"]),
     "bond factor negative": (bond("* 5 area factor -1"), ["area factor a = -1", "> 0"]),
     "bond factor missing": (bond("* 5 area factor"), ["bond_coeff potdem/truss", "missing"]),
     "bond keyword": (bond("* 5 area lattice dampng 0.1"), ["'dampng'", "penetration or damping"]),
@@ -67,7 +67,7 @@ CASES = {
     "bond type out of range": (bond("7 5 area lattice"), ["7"]),
     "bond coefficients unset": (bond("1 5 area factor 0.5\nrun 0"), ["bond coeffs are not set"]),
     "bond area lattice without a lattice": (bond("* 5 area lattice\npotdem_bonds all 1 1.2\nrun 0"),
-                                            ["area lattice for bond type 1", "cubic", "use area factor"]),
+                                            ["area lattice for bond type 1", "cubic", "use area body or area factor"]),
     "bonds made with newton on": (
         BOND + "bond_coeff * 5 area factor 0.5\n"
         "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\nrun 0",

@@ -167,6 +167,13 @@ def test_bond(run_lammps, tmp_path):
 
 
 @pytest.mark.usefixtures("own")
+def test_bond_coefficients_are_kept_as_numbers(run_lammps, tmp_path):
+    run_lammps(scripts.box(5) + scripts.crystal() + "pair_style zero 2.0\npair_coeff * *\nbond_style potdem/truss\n"
+               "bond_coeff 1 own.potdem soft area body density own.potdem hard\npotdem_bonds all 1 1.5\nwrite_data out.data\n")
+    assert "1 500 area body density 2.5\n" in (tmp_path / "out.data").read_text()
+
+
+@pytest.mark.usefixtures("own")
 @pytest.mark.parametrize("which, stress", [("tension", 40.0), ("compression", -75.0)])
 @pytest.mark.parametrize("share, broken", [(0.999, 0), (1.001, 1)])
 def test_failure(run_lammps, which, stress, share, broken):
