@@ -179,7 +179,7 @@ void BondPotdemTruss::find_needs()
       hindered = true;
       factors[type] = POTDEM::Penetration(coeffs[type].m, coeffs[type].normalized);
     }
-    if (coeffs[type].xi > 0.0) damped = true;
+    if (coeffs[type].xi > 0.0 && !potdem_minimizes(lmp)) damped = true;
   }
   tension.assign(atom->nbondtypes + 1, UNBREAKABLE);
   compression.assign(atom->nbondtypes + 1, -UNBREAKABLE);

@@ -53,7 +53,7 @@ ComputePotdemEnergy::~ComputePotdemEnergy()
 
 void ComputePotdemEnergy::init()
 {
-  ledger = PotdemLedger::find(lmp);
+  ledger = dynamic_cast<PotdemLedger *>(modify->get_fix_by_id(LEDGER_ID));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -26,6 +26,11 @@ void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
     lmp->error->all(FLERR, "{} works with run_style verlet only, not with respa", command);
 }
 
+bool LAMMPS_NS::potdem_minimizes(LAMMPS *lmp)
+{
+  return lmp->update->whichflag == 2;
+}
+
 void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &reason,
                                     const std::string &may_follow)
 {

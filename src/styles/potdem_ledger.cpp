@@ -5,6 +5,8 @@
 
 #include "potdem_ledger.h"
 
+#include "potdem_input.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "force.h"
@@ -18,6 +20,7 @@ using namespace FixConst;
 
 PotdemLedger *PotdemLedger::find(LAMMPS *lmp)
 {
+  if (potdem_minimizes(lmp)) return nullptr;
   const auto found = lmp->modify->get_fix_by_style("^POTDEM_LEDGER$");
   return found.empty() ? nullptr : dynamic_cast<PotdemLedger *>(found[0]);
 }

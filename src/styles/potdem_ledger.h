@@ -23,7 +23,7 @@ class PotdemLedger : public Fix {
  public:
   enum Kind { FRICTION, VISCOUS, DAMPING, NKINDS };
 
-  static PotdemLedger *find(LAMMPS *);
+  static PotdemLedger *find(LAMMPS *);    // null in a minimization: nothing is dissipated there
 
   PotdemLedger(LAMMPS *, int, char **);
   int setmask() override;
