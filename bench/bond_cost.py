@@ -23,6 +23,8 @@ CASES = [
     ("  with friction (no history)", "contact", "hertz_friction", ("Pair",), "contact"),
     ("  LAMMPS's gran/hertz/history", "gran", "friction", ("Pair",), "contact"),
     ("strain, when evaluated", "potdem", "strain", ("Modify",), "particle"),
+    ("critical step, when evaluated", "potdem", "pace", ("Modify",), "bond"),
+    ("  of Hertz contacts", "contact", "hertz_pace", ("Modify",), "contact"),
 ]
 COMPARED = [
     (CASES[0][0], CASES[1][0], "a bond of potdem/truss over one of bpm/spring"),

@@ -13,6 +13,7 @@
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
+#include "potdem_stiffness.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -589,6 +590,26 @@ void BondPotdemTruss::cut(int i, tagint partner)
     if (damped) bonds.dashpot[n] = 0.0;
     if (force->bond == this) neighbor->bondlist[bonds.listed[n]][2] = 0;
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+// the rank of a ghost does the same bond for itself
+void BondPotdemTruss::stiffen(PotdemStiffness &sum)
+{
+  refresh();
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
+      const int j = bonds.partner[n];
+      const double *a = atom->x[i], *b = atom->x[j];
+      const double r = sqrt(distance2(a, b)), inverse_r = 1.0 / r;
+      const double re = 1.0 / sqrt(bonds.inverse_length2[n]);
+      const auto at = law(bonds.type[n], r, re, 2.0 * bonds.half_modulus[n]);
+      PotdemSpring spring{{}, at.stiffness, -at.force * inverse_r, 0.0, 0.0};
+      for (int k = 0; k < 3; k++) spring.n[k] = inverse_r * (b[k] - a[k]);
+      if (damped) spring.viscosity = bonds.dashpot[n];
+      sum.add_pair(i, j, n < bonds.ghosts[i], spring);
+    }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -49,6 +49,8 @@ class BondPotdemTruss : public Bond {
   void refresh();                     // follow the latest rebuild of the bond list
   void cut(int i, tagint partner);    // no force from here on
 
+  void stiffen(class PotdemStiffness &);    // for compute potdem/timestep
+
  protected:
   enum AreaMode { FACTOR, LATTICE, BODY };
 

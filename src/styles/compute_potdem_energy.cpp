@@ -9,6 +9,7 @@
 
 #include "compute_potdem_energy.h"
 
+#include "laws/friction.h"
 #include "potdem_ledger.h"
 
 #include "atom.h"
@@ -22,8 +23,6 @@
 using namespace LAMMPS_NS;
 
 static constexpr char LEDGER_ID[] = "POTDEM_LEDGER";
-// of a solid sphere, over m r^2
-static constexpr double SPHERE_INERTIA = 0.4;
 
 /* ---------------------------------------------------------------------- */
 
@@ -102,7 +101,7 @@ double ComputePotdemEnergy::kinetic() const
     sum += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if (!atom->omega_flag) continue;
     const double *spin = atom->omega[i], r = atom->radius[i];
-    sum += 0.5 * SPHERE_INERTIA * mass * r * r *
+    sum += 0.5 * POTDEM::SPHERE_INERTIA * mass * r * r *
         (spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
   }
   return sum * force->mvv2e;

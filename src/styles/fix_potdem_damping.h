@@ -14,6 +14,7 @@ class FixPotdemDamping : public Fix {
  public:
   FixPotdemDamping(class LAMMPS *, int, char **);
   int setmask() override;
+  double amplification() const { return 1.0 + lambda; }    // of the force, at most
   void init() override;
   void setup(int) override;
   void post_force(int) override;

@@ -7,14 +7,17 @@
 
 #include "fix_potdem_wall_region.h"
 
+#include "laws/turning_point.h"
 #include "potdem_law_input.h"
 #include "potdem_ledger.h"
+#include "potdem_stiffness.h"
 
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "math_extra.h"
+#include "neighbor.h"
 #include "region.h"
 #include "update.h"
 
@@ -28,7 +31,7 @@ using namespace FixConst;
 static constexpr double LAYER_OVER_RADIUS = 0.1;
 static constexpr double LAYER_EXPONENT = 2.0;
 // over m r^2
-static constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;
+static constexpr double DISC_INERTIA = 0.5;
 // friction of a particle that touches several faces: at most so many rounds, to this fraction of its limit
 static constexpr int MAX_ROUNDS = 200;
 static constexpr double ROUNDING = 1e-14;
@@ -39,7 +42,7 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), viscosity(0.0),
-    rotation(false), inertia(SPHERE_INERTIA), mine(), total(), summed(false)
+    rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -402,6 +405,67 @@ template <bool SPIN> void FixPotdemWallRegion::hold(int i)
     }
     if (touches.size() == 1 || change <= ROUNDING * largest) return;
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemWallRegion::stiffen(PotdemStiffness &sum, double ahead)
+{
+  surface.follow();
+  std::visit(
+      [this, &sum, ahead](const auto &wall) {
+        stiffen_with(wall, sum, ahead);
+      },
+      law);
+}
+
+template <class Wall>
+void FixPotdemWallRegion::stiffen_with(const Wall &wall, PotdemStiffness &sum, double ahead)
+{
+  const double further = ahead > 0.0 ? neighbor->skin : 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    if (!domain->inside(x)) bring_back(x);
+    const double reach = wall.reach(atom->radius[i]);
+    for (const auto &face : surface.faces(x, reach + further)) {
+      const double r = ahead > 0.0 ? closest(i, face, ahead, wall) : face.r;
+      if (r < reach && !(domain->dimension == 2 && out_of_plane(i, face)))
+        sum.add_wall(i, spring(i, face, r, wall));
+    }
+  }
+}
+
+// of a particle that approaches the wall and touches it within a time, where it turns back
+template <class Wall>
+double FixPotdemWallRegion::closest(int i, const PotdemWallSurface::Face &face, double ahead,
+                                    const Wall &wall) const
+{
+  const double ri = atom->radius[i];
+  double u[3];
+  surface.velocity(face, u);
+  MathExtra::sub3(atom->v[i], u, u);
+  const double rate = MathExtra::dot3(u, face.n);
+  if (rate >= 0.0 || face.r + rate * ahead >= wall.reach(ri)) return face.r;
+  return POTDEM::turning_point(MIN(face.r, wall.reach(ri)), wall.core(ri),
+                               0.5 * force->mvv2e * atom->rmass[i] * rate * rate, [&](double r) {
+                                 return wall.evaluate(r, ri);
+                               });
+}
+
+// at the distance r; friction 'auto' follows the step and does not limit it
+template <class Wall>
+PotdemSpring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face &face, double r,
+                                         const Wall &wall) const
+{
+  const double ri = atom->radius[i];
+  const auto at = wall.evaluate(r, ri);
+  PotdemSpring spring{{face.n[0], face.n[1], face.n[2]}, at.stiffness, 0.0, 0.0, 0.0};
+  if (Wall::viscous) spring.viscosity = at.force / (wall.reach(ri) - r) * viscosity;
+  if (friction.mu > 0.0 && !friction.automatic)
+    spring.friction = rotation ? friction.eta / POTDEM::sliding_mass(r / ri, inertia)
+                               : friction.eta;
+  return spring;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -30,6 +30,10 @@ class FixPotdemWallRegion : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
+  // for compute potdem/timestep; particles that touch within the time `ahead` as they will
+  // be where they turn back
+  void stiffen(class PotdemStiffness &, double ahead);
+
  private:
   // a particle that touches a face
   struct Touch {
@@ -75,6 +79,11 @@ class FixPotdemWallRegion : public Fix {
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);
+  template <class Wall> void stiffen_with(const Wall &, class PotdemStiffness &, double ahead);
+  template <class Wall>
+  double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;
+  template <class Wall>
+  struct PotdemSpring spring(int i, const PotdemWallSurface::Face &, double r, const Wall &) const;
   double sum(int);
 };
 

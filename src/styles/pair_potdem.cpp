@@ -7,16 +7,20 @@
 
 #include "bond_potdem_truss.h"
 #include "lammps_compat.h"
+#include "laws/turning_point.h"
 #include "potdem_bond_store.h"
 #include "potdem_input.h"
 #include "potdem_ledger.h"
 #include "potdem_material_file.h"
+#include "potdem_stiffness.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "math_extra.h"
 #include "memory.h"
+#include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "update.h"
@@ -320,6 +324,69 @@ void PairPotdemBase::dissipative(int pair, PotdemTouch touch, double elastic, do
              : potdem_drag<false>(state, touch, friction[pair], normal, drag);
   svector[FRICTION] = sqrt(drag[0] * drag[0] + drag[1] * drag[1] + drag[2] * drag[2]);
   for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = drag[k];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairPotdemBase::stiffen(PotdemStiffness &sum, double ahead)
+{
+  double **x = atom->x;
+  const int *type = atom->type;
+  const auto state = motion();
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const double weight = force->special_lj[sbmask(list->firstneigh[i][jj])];
+      PotdemTouch touch{i, j, {x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]}, 0.0};
+      touch.r = MathExtra::len3(touch.del);
+      const double most = reach(type[i], type[j], atom->radius[i] + atom->radius[j]);
+      if (weight == 0.0 || (touch.r >= most && ahead == 0.0)) continue;
+      const double r = ahead > 0.0 ? closest(state, touch, most, ahead) : touch.r;
+      if (r < most)
+        sum.add_pair(i, j, force->newton_pair || j < atom->nlocal, spring(touch, r, weight));
+    }
+  }
+}
+
+// of two particles that approach each other and touch within a time, where they turn back
+double PairPotdemBase::closest(const PotdemMotion &state, const PotdemTouch &touch, double most,
+                               double ahead) const
+{
+  const double rate = potdem_rate(state, touch);
+  if (rate >= 0.0 || touch.r + rate * ahead >= most) return touch.r;
+  const int i = touch.i, j = touch.j, pair = at(atom->type[i], atom->type[j]);
+  const auto partners = pairing(i, j);
+  const double mass = atom->rmass[i] * atom->rmass[j] / (atom->rmass[i] + atom->rmass[j]);
+  return POTDEM::turning_point(MIN(touch.r, most), core(pair, partners),
+                               0.5 * force->mvv2e * mass * rate * rate, [&](double r) {
+                                 return evaluate(pair, r, partners);
+                               });
+}
+
+// at the distance r
+PotdemSpring PairPotdemBase::spring(const PotdemTouch &touch, double r, double weight) const
+{
+  const int i = touch.i, j = touch.j, pair = at(atom->type[i], atom->type[j]);
+  const auto partners = pairing(i, j);
+  if (!(r > core(pair, partners))) collapsed(i, j);
+  const auto law = evaluate(pair, r, partners);
+  PotdemSpring spring{{}, weight * law.stiffness, -weight * law.force / r, 0.0, 0.0};
+  for (int k = 0; k < 3; k++) spring.n[k] = touch.del[k] / touch.r;
+  if (viscous && r < partners.contact)
+    spring.viscosity = weight * (with_rate(pair, law.force, r, partners, -1.0) - law.force);
+  if (law.force > 0.0) spring.friction = rubbing(pair, r, partners);
+  return spring;
+}
+
+// force over velocity of sticking friction; where it turns spheres as well, as their mass at the contact feels it.
+// 'auto' follows the step and does not limit it
+double PairPotdemBase::rubbing(int pair, double r, const POTDEM::Pairing &partners) const
+{
+  const auto &slide = friction[pair];
+  if (slide.mu == 0.0 || slide.automatic) return 0.0;
+  const double arm = r / partners.dbar();    // over the radius
+  return rotation ? slide.eta / POTDEM::sliding_mass(arm, POTDEM::SPHERE_INERTIA) : slide.eta;
 }
 
 /* ----------------------------------------------------------------------

@@ -48,6 +48,9 @@ class PairPotdemBase : public Pair {
   void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
   void *extract(const char *, int &) override;
+  // for compute potdem/timestep; pairs that touch within the time `ahead` as they will be
+  // where they turn back
+  void stiffen(class PotdemStiffness &, double ahead);
   // no override: not all LAMMPS versions have these two
   double atom2cut(int);
   double radii2cut(double, double);
@@ -117,6 +120,9 @@ class PairPotdemBase : public Pair {
 
   void find_diameters();
   void find_needs();
+  double closest(const PotdemMotion &, const PotdemTouch &, double most, double ahead) const;
+  struct PotdemSpring spring(const PotdemTouch &, double r, double weight) const;
+  double rubbing(int pair, double r, const POTDEM::Pairing &) const;
   void dissipative(int pair, PotdemTouch, double elastic, double weight);
   void mix_friction(int i, int j);
   void leave_to_mixing(int i, int j);

@@ -26,7 +26,7 @@ PotdemLedger *PotdemLedger::find(LAMMPS *lmp)
 }
 
 PotdemLedger::PotdemLedger(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), booked(), rate()
+    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), step(0.0), booked(), rate()
 {
   comm_reverse = WIDTH;
   restart_global = 1;
@@ -53,6 +53,7 @@ void PotdemLedger::setup_pre_force(int vflag)
 void PotdemLedger::pre_force(int /*vflag*/)
 {
   forces.assign(atom->nmax, {});
+  step = update->dt;
   wall_power = 0.0;
   for (double &power : slip_power) power = 0.0;
 }
@@ -65,7 +66,7 @@ void PotdemLedger::setup(int /*vflag*/)
 void PotdemLedger::end_of_step()
 {
   const auto now = powers();
-  for (std::size_t k = 0; k < now.size(); k++) booked[k] += 0.5 * update->dt * (rate[k] + now[k]);
+  for (std::size_t k = 0; k < now.size(); k++) booked[k] += 0.5 * step * (rate[k] + now[k]);
   rate = now;
 }
 

@@ -64,6 +64,7 @@ class PotdemLedger : public Fix {
   std::vector<std::array<double, WIDTH>> forces;    // owned and ghost particles
   bool threads;                                     // two of them may note forces on one particle
   double wall_power, slip_power[NKINDS];
+  double step;    // that is being done: a fix may change the next one before this is booked
   std::array<double, NKINDS + 1> booked, rate;    // rate: power of the latest step
 
   void add(double &sum, double part) const

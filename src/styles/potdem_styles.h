@@ -18,12 +18,14 @@ BondStyle(potdem/truss/omp,BondPotdemTrussOMP);
 #elif defined(FIX_CLASS)
 FixStyle(potdem/damping,FixPotdemDamping);
 FixStyle(potdem/failure,FixPotdemFailure);
+FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
 FixStyle(POTDEM_LEDGER,PotdemLedger);
 #elif defined(COMPUTE_CLASS)
 ComputeStyle(potdem/energy,ComputePotdemEnergy);
 ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
+ComputeStyle(potdem/timestep,ComputePotdemTimestep);
 #elif defined(COMMAND_CLASS)
 CommandStyle(potdem_bonds,PotdemBonds);
 CommandStyle(potdem_material,PotdemMaterial);
@@ -35,8 +37,10 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "bond_potdem_truss_omp.h"
 #include "compute_potdem_energy.h"
 #include "compute_potdem_strain_atom.h"
+#include "compute_potdem_timestep.h"
 #include "fix_potdem_damping.h"
 #include "fix_potdem_failure.h"
+#include "fix_potdem_timestep.h"
 #include "fix_potdem_wall_region.h"
 #include "pair_potdem_granular.h"
 #include "pair_potdem_hertz.h"
