@@ -27,6 +27,10 @@ def failure(options):
     return BODY + f"fix f all potdem/failure {options}"
 
 
+def pace(options):
+    return BODY + f"fix p all potdem/timestep {options}"
+
+
 # name: script up to and including the wrong line, words that the message must contain
 CASES = {
     # pair style
@@ -155,6 +159,25 @@ CASES = {
     # strain
     "strain before bonds": (WALL + "compute s all potdem/strain/atom", ["potdem/strain/atom s", "after potdem_bonds"]),
     "strain keyword": (BODY + "compute s all potdem/strain/atom green", ["potdem/strain/atom", "'green'"]),
+    # critical step
+    "timestep keyword": (BODY + "compute t all potdem/timestep before 1", ["compute potdem/timestep", "'before'", "ahead"]),
+    "timestep ahead": (BODY + "compute t all potdem/timestep ahead -1", ["ahead = -1", ">= 0"]),
+    "timestep ahead missing": (BODY + "compute t all potdem/timestep ahead", ["compute potdem/timestep", "missing"]),
+    "timestep without masses": (
+        scripts.box(5, atom_style="bond") + "create_atoms 1 single 1 1 1\nmass 1 1.0\npair_style zero 1\npair_coeff * *\n"
+        "bond_style none\ncompute t all potdem/timestep\nrun 0", ["potdem/timestep t", "mass per particle", "sphere"]),
+    "pace N": (pace("0 0.5 max 1"), ["fix potdem/timestep", "N = 0", "whole number"]),
+    "pace fraction": (pace("1 0 max 1"), ["fraction = 0", "> 0"]),
+    "pace beyond critical": (pace("1 1.5 max 1"), ["fraction = 1.5", "<= 1"]),
+    "pace without max": (pace("1 0.5"), ["fix potdem/timestep", "missing"]),
+    "pace keyword": (pace("1 0.5 min 1"), ["'min'", "expected max"]),
+    "pace max": (pace("1 0.5 max 0"), ["max dt = 0", "> 0"]),
+    "pace more": (pace("1 0.5 max 1 2"), ["'2'", "after max dt"]),
+    "pace twice": (pace("1 0.5 max 1\nfix q all potdem/timestep 1 0.5 max 1\nrun 0"), ["p", "q", "keep one"]),
+    "pace and dt/reset": (pace("1 0.5 max 1\nfix q all dt/reset 1 NULL NULL 0.1\nrun 0"), ["p", "q", "keep one"]),
+    "pace with respa": (pace("1 0.5 max 1\nrun_style respa 2 2\nrun 0"), ["verlet", "respa"]),
+    "pace without its compute": (pace("1 0.5 max 1\nuncompute p_CRITICAL\nrun 0"), ["potdem/timestep p", "p_CRITICAL"]),
+    "pace and fix move": (pace("1 0.5 max 1\nfix m all move linear 1 0 0\nrun 2"), ["fix move"]),
     # bonds longer than LAMMPS communicates
     "communication cutoff": (BODY + "comm_modify cutoff 0.8\nrun 0",
                              ["longest bond (1", "communication cutoff 0.8", "comm_modify cutoff"]),
