@@ -56,7 +56,7 @@ void PotdemBonds::command(int narg, char **arg)
     if (atom->mask[i] & group->bitmask[igroup]) largest = MAX(largest, 2.0 * atom->radius[i]);
   MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   const double cutoff = (in_diameters ? reach * all : reach) * (1.0 + 2.0 * SHELL_TOLERANCE);
-  for (int k = 0; k < 3; k++)
+  for (int k = 0; k < domain->dimension; k++)
     if (domain->periodicity[k] && 2.0 * cutoff > domain->prd[k])
       error->all(
           FLERR,
