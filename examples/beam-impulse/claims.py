@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""Claim 1 measured: deflection and period against finite elements.
+
+  claims.py [LOG ...]      default: the reference logs in this folder
+
+For each pulse: first peak and period of the references and of the runs, and their deviations, in per cent, from
+CalculiX's plane stress with the clamp midway between the last clamped and the first free layer of particles, and with the
+clamp in the last clamped layer.
+"""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
+import case  # noqa: E402
+import histories  # noqa: E402
+from claim import Claim  # noqa: E402
+
+MODELS = ("2d", "3d", "2d-linear", "2d-layer")
+AREAS = {"body": "area body", "lattice": "lattice", "factor": "factor 0.4 (the thesis)"}
+
+
+def numbers(history):
+    return history.peak, history.period
+
+
+def deviations(found, reference):
+    """of peak and period, in per cent"""
+    return [100 * (value / expected - 1) for value, expected in zip(found, reference)]
+
+
+def report(runs):
+    """a table for each pulse, over each plane-stress reference there is for it"""
+    for pulse in case.PULSES:
+        models = [model for model in MODELS if histories.has_calculix(model, pulse)]
+        known = [histories.calculix(model, pulse) for model in models]
+        known += [histories.modal(clamp, pulse) for clamp in case.CLAMPS]
+        found = {history.label: numbers(history) for history in known + [h for which, h in runs if which == pulse]}
+        bases = [model for model in ("2d", "2d-layer") if model in models]
+        print(f"\n{pulse:32} peak [mm]  period [ms]" + "".join(f"{'from ' + base + ': peak, period':>28}" for base in bases))
+        for label, values in found.items():
+            shares = [deviations(values, found[f"CalculiX {base}"]) for base in bases]
+            print(f"{label:32} {1e3 * values[0]:9.3f} {1e3 * values[1]:12.4f} "
+                  + "".join(f"{peak:20.2f} {period:7.2f}" for peak, period in shares))
+
+
+def claims(folder_of):
+    """for the table of examples/run all"""
+    worst, texts = {}, []
+    for area, name in AREAS.items():
+        pairs = []
+        for pulse in case.PULSES:
+            _, history = histories.lammps(next(folder_of(f"{pulse}-{area}-2.00").glob("log*")))
+            pairs.append(deviations(numbers(history), numbers(histories.calculix("2d", pulse))))
+        worst[area] = max(abs(value) for pair in pairs for value in pair)
+        texts.append(f"{name} {pairs[0][0]:+.1f}, {pairs[1][0]:+.1f} % and {pairs[0][1]:+.1f}, {pairs[1][1]:+.1f} %")
+    measured = "peak (two pulses) and period off by: " + "; ".join(texts)
+    verdict = "yes" if worst["body"] < 5 else "no"
+    return [Claim("1", "beam-impulse: deflection and period agree with finite elements", "satisfactory", measured, verdict)]
+
+
+if __name__ == "__main__":
+    logs = [Path(name) for name in sys.argv[1:]] or sorted(HERE.glob("log.*.g++.1"))
+    report([histories.lammps(log) for log in logs])
