@@ -15,7 +15,8 @@
 
 namespace POTDEM {
 
-static constexpr double SPHERE_INERTIA = 0.4;    // of a solid sphere, over m r^2
+// of a particle that spins, over m r^2: a solid sphere, a disc
+constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;
 
 // mass that a tangential force at the surface accelerates there, over the particle's: 1/(1/m + a^2/I) with
 // arm = a/r, inertia = I/(m r^2); 2/7 for a solid sphere, 1/3 for a disc

@@ -17,6 +17,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "memory.h"
@@ -122,6 +123,9 @@ BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
     input.word();
     input.unknown("area factor, area lattice or area body");
   }
+  if (c.mode != FACTOR && domain->dimension == 2)
+    input.fail("area lattice and area body are for solids in three dimensions; in two use area "
+               "factor a, for a plate the a of its thickness (see the page of the style)");
   while (!input.done()) {
     if (input.next_is("penetration")) {
       input.penetration(c.m, c.normalized);

@@ -10,10 +10,12 @@
 #include "compute_potdem_energy.h"
 
 #include "laws/friction.h"
+#include "potdem_input.h"
 #include "potdem_ledger.h"
 
 #include "atom.h"
 #include "bond.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "modify.h"
@@ -27,10 +29,17 @@ static constexpr char LEDGER_ID[] = "POTDEM_LEDGER";
 /* ---------------------------------------------------------------------- */
 
 ComputePotdemEnergy::ComputePotdemEnergy(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), ledger(nullptr)
+    Compute(lmp, narg, arg), inertia(POTDEM::SPHERE_INERTIA), ledger(nullptr)
 {
-  if (narg > 3)
-    error->all(FLERR, "compute potdem/energy: unknown keyword '{}', it takes none", arg[3]);
+  PotdemInput input(lmp, "compute potdem/energy", narg - 3, arg + 3);
+  while (!input.done()) {
+    if (!input.next_is("disc")) {
+      input.word();
+      input.unknown("disc");
+    }
+    if (domain->dimension != 2) input.fail("disc is for two dimensions");
+    inertia = POTDEM::DISC_INERTIA;
+  }
   if (igroup != 0) error->all(FLERR, "compute potdem/energy {}: the ledger is for group all", id);
   if (modify->get_fix_by_id(LEDGER_ID))
     error->all(FLERR, "compute potdem/energy {}: there is a ledger already, use that one", id);
@@ -101,8 +110,8 @@ double ComputePotdemEnergy::kinetic() const
     sum += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if (!atom->omega_flag) continue;
     const double *spin = atom->omega[i], r = atom->radius[i];
-    sum += 0.5 * POTDEM::SPHERE_INERTIA * mass * r * r *
-        (spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
+    sum +=
+        0.5 * inertia * mass * r * r * (spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
   }
   return sum * force->mvv2e;
 }

@@ -33,6 +33,7 @@ class ComputePotdemEnergy : public Compute {
     NTERMS
   };
 
+  double inertia;    // of a particle, over m r^2
   class PotdemLedger *ledger;
   double kinetic() const;
   double over_fixes(const char *style, bool scalar) const;

@@ -30,8 +30,6 @@ using namespace FixConst;
 // the thesis's soft layer, eq. 5.28
 static constexpr double LAYER_OVER_RADIUS = 0.1;
 static constexpr double LAYER_EXPONENT = 2.0;
-// over m r^2
-static constexpr double DISC_INERTIA = 0.5;
 // friction of a particle that touches several faces: at most so many rounds, to this fraction of its limit
 static constexpr int MAX_ROUNDS = 200;
 static constexpr double ROUNDING = 1e-14;
@@ -138,7 +136,7 @@ void FixPotdemWallRegion::read_rotation(PotdemInput &input)
   if (!input.next_is("disc"))
     input.fail(fmt::format("rotation must be no, yes or disc, not '{}'", input.word()));
   if (domain->dimension != 2) input.fail("rotation disc is for two dimensions, use rotation yes");
-  inertia = DISC_INERTIA;
+  inertia = POTDEM::DISC_INERTIA;
 }
 
 int FixPotdemWallRegion::setmask()
