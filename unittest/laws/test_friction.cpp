@@ -39,7 +39,8 @@ TEST(Friction, ViscousBelowTheLimitCoulombAbove)
 
 TEST(Friction, TheSignOfTheNormalForceDoesNotMatter)
 {
-  EXPECT_EQ(traction(friction(0.5, 10.0), 7.0, -3.0, 10.0), traction(friction(0.5, 10.0), 7.0, 3.0, 10.0));
+  EXPECT_EQ(traction(friction(0.5, 10.0), 7.0, -3.0, 10.0),
+            traction(friction(0.5, 10.0), 7.0, 3.0, 10.0));
 }
 
 TEST(Friction, NothingWithoutNormalForceOrCoefficient)
@@ -67,6 +68,21 @@ TEST(Friction, AutomaticStopsTheSlidingInOneStepAtMost)
     const bool viscous = eta * speed < f.mu * normal;
     EXPECT_EQ(viscous, after < 1e-15 * speed) << speed;
   }
+}
+
+// what a tangential force does to the surface of a free solid: dv/dt + arm dspin/dt = f/m + arm^2 f/I
+TEST(Friction, MassThatResistsAtTheSurface)
+{
+  EXPECT_DOUBLE_EQ(sliding_mass(1.0, SPHERE_INERTIA), 2.0 / 7.0);
+  EXPECT_DOUBLE_EQ(sliding_mass(1.0, DISC_INERTIA), 1.0 / 3.0);
+  EXPECT_EQ(sliding_mass(0.0, SPHERE_INERTIA), 1.0);
+  const double mass = 1.7, radius = 0.3, force = 2.5;
+  for (const double inertia : {SPHERE_INERTIA, DISC_INERTIA})
+    for (const double arm : {0.5, 0.98, 1.1}) {
+      const double spin = arm * radius * force / (inertia * mass * radius * radius);
+      const double surface = force / mass + arm * radius * spin;
+      EXPECT_NEAR(force / surface, mass * sliding_mass(arm, inertia), 1e-15 * mass);
+    }
 }
 
 }    // namespace
