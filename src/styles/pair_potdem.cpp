@@ -174,6 +174,7 @@ void PairPotdemBase::find_needs()
   sliding = false;
   for (const auto &slide : friction) sliding = sliding || slide.mu > 0.0;
   viscous = any_viscous();
+  if (potdem_minimizes(lmp)) sliding = viscous = false;
 }
 
 void PairPotdemBase::find_diameters()
@@ -219,7 +220,7 @@ void PairPotdemBase::mix_friction(int i, int j)
   mixed.eta = MAX(a.eta, b.eta);
   mixed.automatic = a.automatic || b.automatic;
   friction[at(i, j)] = friction[at(j, i)] = mixed;
-  sliding = sliding || mixed.mu > 0.0;
+  sliding = sliding || (mixed.mu > 0.0 && !potdem_minimizes(lmp));
 }
 
 void PairPotdemBase::cannot_mix(int i, int j, const std::string &coefficient) const
@@ -289,11 +290,23 @@ void PairPotdemBase::tally(const Span &, const PotdemTouch &touch, double energy
 
 /* ---------------------------------------------------------------------- */
 
+// pair_write asks every rank for the pair of its first two particles, and prints what the first rank says
+double PairPotdemBase::without_particles() const
+{
+  if (comm->me == 0)
+    error->one(FLERR,
+               "pair_style {}: pair_write needs the diameters of two particles on the first "
+               "processor; create two of the diameters in question, and run it on one",
+               name());
+  return 0.0;
+}
+
 double PairPotdemBase::single(int i, int j, int itype, int jtype, double rsq,
                               double /*factor_coul*/, double factor_lj, double &fforce)
 {
   fforce = 0.0;
   std::fill(svector, svector + single_extra, 0.0);
+  if (MAX(i, j) >= atom->nlocal + atom->nghost) return without_particles();
   if (i >= atom->nlocal) std::swap(i, j);
   const double dbar = atom->radius[i] + atom->radius[j], r = sqrt(rsq);
   if (r >= reach(itype, jtype, dbar)) return 0.0;

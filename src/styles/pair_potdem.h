@@ -119,6 +119,7 @@ class PairPotdemBase : public Pair {
   std::vector<Published> published;
 
   void find_diameters();
+  double without_particles() const;
   void find_needs();
   double closest(const PotdemMotion &, const PotdemTouch &, double most, double ahead) const;
   struct PotdemSpring spring(const PotdemTouch &, double r, double weight) const;

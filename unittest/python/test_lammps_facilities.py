@@ -149,11 +149,11 @@ def grains_in_a_box(x):
 
 @pytest.mark.parametrize("style", LAMMPS_MINIMISERS)
 def test_a_heap_in_a_box(run_lammps, tmp_path, style):
-    """friction and viscosity of the walls have no part in it, whatever the velocities are"""
+    """friction and viscosity of the grains and walls have no part in it, whatever the velocities are"""
     script = scripts.box(12) + scripts.particles(GRAINS) + f"""
 bond_style none
 pair_style potdem/hertz
-pair_coeff * * {GRAIN.coeff}
+pair_coeff * * {GRAIN.coeff} viscous 0.1 friction 0.5 auto
 region walls block 0 {SIZE} 0 {SIZE} 0 9 units box
 fix push all addforce {PUSHED[0]} {PUSHED[1]} {PUSHED[2]}
 fix_modify push energy yes
@@ -312,3 +312,14 @@ def test_respa_is_refused(run_lammps, line, name):
     run_lammps(script + "run 1\n")
     message = run_lammps(script + "run_style respa 2 2 pair 1\nrun 0\n", expect_error=name).error
     assert "run_style verlet only" in message
+
+
+# --- pair_write -------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("particles, nprocs", [([(0, 0, 0, 1.0)], 1), ([(-1, 0, 0, 1.0), (1, 0, 0, 1.0)], 2)])
+def test_pair_write_needs_two_particles(run_lammps, particles, nprocs):
+    """their diameters are those of the table"""
+    script = scripts.box(8) + scripts.particles(particles) + "bond_style none\npair_style potdem/hertz\n"
+    script += f"pair_coeff * * {GRAIN.coeff}\npair_write 1 1 5 r 0.8 0.9 t.table LAW\n"
+    message = run_lammps(script, nprocs=nprocs, expect_error="potdem/hertz").error
+    assert "pair_write needs the diameters of two particles" in message
