@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """calculix.py [NAME ...]: writes the input of CalculiX for the references of this scene, runs ccx (Debian's
 calculix-ccx) on it, and writes the deflection of the loaded section against time. Everything is in calculix/, and the
-scene only reads the results: it takes CalculiX to make them anew, about a quarter of an hour in all.
+scene only reads the results: it takes CalculiX, and about 40 minutes, to make them anew.
 
 NAME is MODEL-PULSE, MODEL one of
   2d          plane stress, 250 quadratic elements (CPS8), finite displacements

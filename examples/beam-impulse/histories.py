@@ -40,10 +40,6 @@ class History:
         return 1 / minimize(misfit, start, method="Nelder-Mead", options={"xatol": 1e-4, "fatol": 1e-12}).x[0]
 
 
-def has_calculix(model, pulse):
-    return (HERE / "calculix" / f"{model}-{pulse}.csv").exists()
-
-
 def calculix(model, pulse):
     table = np.loadtxt(HERE / "calculix" / f"{model}-{pulse}.csv", delimiter=",", skiprows=1)
     return History(f"CalculiX {model}", *table.T)

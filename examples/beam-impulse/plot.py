@@ -25,8 +25,7 @@ def show(axis, history, label, **style):
 
 def references(axis, pulse):
     show(axis, histories.calculix("2d", pulse), "CalculiX, plane stress", color="#b9c2c9", lw=6)
-    if histories.has_calculix("2d-layer", pulse):
-        show(axis, histories.calculix("2d-layer", pulse), "… clamped in the layer", color="#efdcb8", lw=6, zorder=1)
+    show(axis, histories.calculix("2d-layer", pulse), "… clamped in the layer", color="#efdcb8", lw=6, zorder=1)
     show(axis, histories.calculix("3d", pulse), "CalculiX, 3D", color="black", lw=1.2, ls=(0, (5, 3)))
     show(axis, histories.modal("half", pulse), "Timoshenko, modal sum", color="black", lw=1.2, ls=(0, (1, 2)))
 
