@@ -1,0 +1,170 @@
+"""What each feature costs in nanoseconds a step, beside LAMMPS's own styles on the same network and the same contacts; all
+run in turn on one core, several times. Prints Markdown. Asserts nothing: times belong to the machine."""
+
+import argparse
+import re
+import statistics
+import subprocess
+import sys
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+LMP = HERE.parent / "build" / "lmp"
+LEDGER = ("compute ledger all potdem/energy", "fix mean all ave/time 1 1 1 c_ledger")
+PACE = "fix pace all potdem/timestep 1 0.1 max 0.02"
+
+
+@dataclass
+class Case:
+    """what is timed: the parts of LAMMPS's loop that count, per bond, contact or particle; less the cost of `base`"""
+
+    name: str
+    style: str
+    per: str
+    parts: tuple
+    variables: dict = field(default_factory=dict)
+    base: "Case | None" = None
+
+
+def bond(name, coeff="", style="potdem"):
+    return Case(name, style, "bond", ("Bond",), {"coeff": coeff})
+
+
+def contact(name, style, coeff):
+    return Case(name, "contact", "contact", ("Pair",), {"pair": style, "coeff": coeff})
+
+
+SOLID = Case("", "potdem", "bond", ("Loop",))
+LAYER = Case("", "floor", "particle", ("Modify",))
+HERTZ = Case("", "contact", "contact", ("Loop",), {"pair": "potdem/hertz", "coeff": "1.0 0.3"})
+SLIDING = replace(HERTZ, variables={"pair": "potdem/hertz", "coeff": "1.0 0.3 friction 0.3 auto"})
+
+
+def added(name, base, *more, parts=("Loop",), per=None):
+    """what commands add to the case `base`"""
+    base = replace(base, parts=parts)
+    return replace(base, name=name, per=per or base.per, variables={**base.variables, **dict(zip(("more", "more2"), more))},
+                   base=base)
+
+
+def wall(name, options="", region="floor"):
+    return added(name, LAYER, f"fix wall all potdem/wall/region {region} 1.0 0.3 particle 1.0 0.3 {options}", parts=("Modify",))
+
+
+TABLES = {
+    "Bonds": [
+        bond("bond, `bond_style potdem/truss`"),
+        bond("LAMMPS's `bond_style bpm/spring`", style="bpm"),
+        bond("with `penetration 6`", "penetration 6"),
+        bond("with `damping`", "damping 0.01"),
+        added("added by `fix potdem/failure`", SOLID, "fix fail all potdem/failure 1 tension 0.5"),
+        added("added by `compute potdem/energy`", SOLID, *LEDGER),
+    ],
+    "Contacts": [
+        contact("`pair_style potdem/truss`", "potdem/truss", "1.0 0.4"),
+        contact("with `penetration 6`", "potdem/truss", "1.0 0.4 penetration 6"),
+        contact("with `friction`", "potdem/truss", "1.0 0.4 friction 0.3 auto"),
+        contact("`pair_style potdem/hertz`", "potdem/hertz", "1.0 0.3"),
+        contact("with `viscous`", "potdem/hertz", "1.0 0.3 viscous 0.01"),
+        contact("with `friction`", "potdem/hertz", "1.0 0.3 friction 0.3 auto"),
+        contact("with `friction` and `rotation yes`", "potdem/hertz rotation yes", "1.0 0.3 friction 0.3 auto"),
+        Case("LAMMPS's `gran/hertz/history`, which turns", "gran", "contact", ("Pair",)),
+        contact("`pair_style potdem/granular`, n = 4", "potdem/granular", "1.0 4 0.2 cut 1.2"),
+        contact("`pair_style potdem/lj`, n = 3", "potdem/lj", "1.0 0.2 3 0.2"),
+        added("added by `compute potdem/energy`, no friction", HERTZ, *LEDGER),
+        added("added by `compute potdem/energy`, with friction", SLIDING, *LEDGER),
+    ],
+    "Walls and fixes": [
+        wall("`fix potdem/wall/region`, each particle touches"),
+        wall("with `layer none`", "layer none"),
+        wall("with `friction`", "friction 0.3 auto"),
+        wall("with `friction` and `rotation yes`", "friction 0.3 auto rotation yes"),
+        wall("no particle touches", region="far"),
+        added("`fix potdem/damping`", LAYER, "fix damp all potdem/damping 0.1", parts=("Modify",)),
+    ],
+    "When evaluated": [
+        added("`compute potdem/strain/atom`", SOLID, "compute strain all potdem/strain/atom",
+              "fix each all ave/atom 1 1 1 c_strain[1]", parts=("Modify",), per="particle"),
+        added("`compute potdem/timestep`, bonds", SOLID, PACE, parts=("Modify",)),
+        added("`compute potdem/timestep`, Hertz contacts", HERTZ, PACE, parts=("Modify",)),
+    ],
+}
+COMPARED = [
+    ("Bonds", 0, 1, "a bond over one of bpm/spring"),
+    ("Contacts", 6, 7, "a contact with friction and rotation over one of gran/hertz/history"),
+]
+
+
+class Bench:
+    """runs each script once a round"""
+
+    def __init__(self, size, steps):
+        self.size, self.steps = size, steps
+        self.known = {}
+
+    def run(self, case):
+        """seconds of the loop's parts that count for the case, and the number of bonds, contacts or particles"""
+        key = str((case.style, case.variables))
+        if key not in self.known:
+            self.known[key] = launch({"style": case.style, **case.variables, "n": self.size, "steps": self.steps})
+        parts, links = self.known[key]
+        return sum(parts[part] for part in case.parts), self.size**3 if case.per == "particle" else links
+
+    def cost(self, case):
+        """ns each and step"""
+        seconds, count = self.run(case)
+        without = self.run(case.base)[0] if case.base else 0.0
+        return 1e9 * (seconds - without) / count / self.steps
+
+
+def launch(variables):
+    """seconds of each part of the loop, and the number in the last column of the thermo output"""
+    command = [LMP, "-in", HERE / "in.cost", "-log", "none"]
+    command += [str(word) for name, value in variables.items() if value != "" for word in ("-var", name, value)]
+    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
+    parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
+    return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[-1])
+
+
+def rounds(arguments):
+    """title -> costs of its cases in ns, one list a round; and the share of the pair part in the intact solid, per cent"""
+    found, shares = {title: [] for title in TABLES}, []
+    for number in range(arguments.repeats):
+        bench = Bench(arguments.size, arguments.steps)
+        for title, cases in TABLES.items():
+            found[title].append([bench.cost(case) for case in cases])
+        shares.append(100 * bench.run(replace(SOLID, parts=("Pair",)))[0] / bench.run(SOLID)[0])
+        print(f"round {number + 1} of {arguments.repeats} done", file=sys.stderr, flush=True)
+    return found, shares
+
+
+def spread(values, digits=1):
+    return f"{statistics.median(values):.{digits}f} ({min(values):.{digits}f} to {max(values):.{digits}f})"
+
+
+def report(found, shares):
+    for title, cases in TABLES.items():
+        print(f"\n| {title} | ns each and step | per |\n|---|---|---|")
+        for case, costs in zip(cases, zip(*found[title])):
+            print(f"| {case.name} | {spread(costs)} | {case.per} |")
+    print()
+    for title, ours, theirs, text in COMPARED:
+        print(f"* {text}: {spread([costs[ours] / costs[theirs] for costs in found[title]], 2)}")
+    print(f"* pair part of the loop in the intact solid: {spread(shares)} %")
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(prog="bench/run")
+    parser.add_argument("--size", type=int, default=40, help="particles along an edge (default 40: 64 000)")
+    parser.add_argument("--steps", type=int, default=100)
+    parser.add_argument("--repeats", type=int, default=5)
+    arguments = parser.parse_args(argv)
+    found, shares = rounds(arguments)
+    print(f"{arguments.size**3} particles, {arguments.steps} steps, one core; median (least to most) of {arguments.repeats} rounds")
+    report(found, shares)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
