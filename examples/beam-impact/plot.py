@@ -17,38 +17,39 @@ import picture  # noqa: E402
 INSTANTS = (0.016, 0.2, 0.4)    # s, Figs 6.3 and 6.4
 STRAIN_LIMIT = 0.06             # the bonds break at 0.067 (f_t / E)
 BLOCK = to_rgba("#8a8f98")
-COLOURS = matplotlib.colormaps["coolwarm"]
+SCALE, COLOURS = Normalize(-STRAIN_LIMIT, STRAIN_LIMIT), matplotlib.colormaps["coolwarm"]
 FLOOR = [(-0.05, -0.06, 0.0), (0.30, -0.06, 0.0), (0.30, 0.085, 0.0), (-0.05, 0.085, 0.0)]
 
 
-def colours(frame, scale):
-    shades = COLOURS(scale(frame["c_strain[1]"]))
-    shades[frame["c_strain[7]"] == 0] = to_rgba("#c9b458")    # debris has no strain
+def colours(frame):
+    shades = COLOURS(SCALE(frame["c_strain[1]"]))
+    shades[frame["c_bonds"] == 0] = to_rgba("#c9b458")    # debris has no strain
     shades[frame["type"] == 2] = BLOCK
     return shades
 
 
-def draw(axis, frame, scale):
+def draw(axis, frame):
     picture.floor(axis, FLOOR)
     points = np.column_stack([frame["x"], frame["y"], frame["z"]])
-    picture.spheres(axis, points, frame["radius"], colours(frame, scale))
+    picture.spheres(axis, points, frame["radius"], colours(frame))
     axis.set_xlim(-0.065, 0.315)
     axis.set_ylim(-0.035, 0.135)
 
 
+FILM = picture.Film("dump.beam-impact", draw, SCALE, COLOURS,
+                    "strain along the beam (bonds break at 0.067); yellow: loose particles, grey: block")
+
+
 def main(*arguments):
     *folders, path = arguments
-    scale = Normalize(-STRAIN_LIMIT, STRAIN_LIMIT)
-    figure, axes = picture.panels(len(INSTANTS), len(folders))
+    figure, axes = FILM.panels(len(INSTANTS), len(folders))
     for column, folder in zip(axes.T, folders):
-        frames = dumpfile.read_run(folder, "dump.beam-impact")
+        frames = FILM.frames(folder)
         variant = Path(folder).resolve().name.split(".")[0]
         for axis, instant in zip(column, INSTANTS):
-            draw(axis, dumpfile.at(frames, instant), scale)
+            draw(axis, dumpfile.at(frames, instant))
             axis.text(0.0, 0.98, f"{variant}, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
-    bar = figure.colorbar(matplotlib.cm.ScalarMappable(scale, COLOURS), ax=list(axes.ravel()), shrink=0.4,
-                          pad=0.02, orientation="horizontal")
-    bar.set_label("strain along the beam (bonds break at 0.067); yellow: loose particles, grey: block")
+    FILM.colour_bar(figure, axes.ravel(), shrink=0.4, pad=0.02)
     figure.savefig(path, dpi=110)
 
 

@@ -1,7 +1,6 @@
 """The thesis's claims: what a scene's claims.py measures, and the table of all."""
 
-import importlib.util
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 HEADER = ("| | claim | thesis | measured | holds |", "|---|---|---|---|---|")
 
@@ -15,16 +14,14 @@ class Claim:
     thesis: str
     measured: str
     verdict: str
+    scene: str = ""    # by of_scene
 
 
 def of_scene(scene, folder_of):
     """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant) -> Path"""
     if not scene.claims:
         return []
-    module_spec = importlib.util.spec_from_file_location(f"claims_of_{scene.name.replace('-', '_')}", scene.claims)
-    module = importlib.util.module_from_spec(module_spec)
-    module_spec.loader.exec_module(module)
-    return module.claims(folder_of)
+    return [replace(found, scene=scene.name) for found in scene.load(scene.claims).claims(folder_of)]
 
 
 def order(claim):
@@ -32,7 +29,10 @@ def order(claim):
     return int(digits or 0), claim.number
 
 
-def table(claims):
-    """Markdown, by number"""
-    rows = [f"| {c.number} | {c.text} | {c.thesis} | {c.measured} | {c.verdict} |" for c in sorted(claims, key=order)]
+def table(claims, linked=False):
+    """Markdown, by number; linked: for a page in docs, the numbers lead to the pages of the scenes"""
+    def number(c):
+        return f"[{c.number}](../examples/{c.scene}/README.md)" if linked else c.number
+
+    rows = [f"| {number(c)} | {c.text} | {c.thesis} | {c.measured} | {c.verdict} |" for c in sorted(claims, key=order)]
     return "\n".join([*HEADER, *rows])

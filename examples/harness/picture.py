@@ -1,17 +1,24 @@
-"""Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each."""
+"""Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each; pictures and animations."""
 
+from dataclasses import dataclass
+from typing import Callable
+
+import dumpfile
 import matplotlib
 
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.animation import FuncAnimation, PillowWriter  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
+from matplotlib.colors import Colormap, Normalize  # noqa: E402
 
 # shells of one sphere, from its rim to its highlight: size, offset towards the light, share of white
 SHELLS = [(1.00, 0.00, -0.35), (0.93, 0.03, -0.12), (0.80, 0.10, 0.0), (0.60, 0.19, 0.12), (0.38, 0.27, 0.26),
           (0.18, 0.34, 0.45)]
 LIGHT = np.array([-0.5, 0.75])
+FRAMES_PER_SECOND, ANIMATION_DPI = 20, 100
 
 
 def view(points, turn, tilt):
@@ -54,3 +61,44 @@ def panels(rows, columns, width=7.0, height=3.2):
         panel.set_aspect("equal")
         panel.axis("off")
     return figure, axes
+
+
+@dataclass
+class Film:
+    """how a scene shows a frame of its dump: draw(axis, frame) fills a panel of the given size in inches; its colours are
+    those of `scale`d values called `label`"""
+
+    dump: str
+    draw: Callable
+    scale: Normalize
+    colours: Colormap
+    label: str
+    width: float = 7.0
+    height: float = 3.2
+
+    def frames(self, folder):
+        return dumpfile.read_run(folder, self.dump)
+
+    def panels(self, rows, columns):
+        return panels(rows, columns, self.width, self.height)
+
+    def colour_bar(self, figure, axes, **settings):
+        bar = figure.colorbar(matplotlib.cm.ScalarMappable(self.scale, self.colours), ax=list(axes), orientation="horizontal",
+                              **settings)
+        bar.set_label(self.label)
+
+    def animate(self, folder, path):
+        """all frames of a run"""
+        figure, axes = self.panels(1, 1)
+        axis = axes[0, 0]
+        self.colour_bar(figure, [axis], shrink=0.8, pad=0.02)
+
+        def show(frame):
+            axis.clear()
+            axis.axis("off")
+            axis.set_aspect("equal")
+            self.draw(axis, frame)
+            axis.set_title(f"t = {frame['time']:.3f} s", fontsize=11, loc="left")
+
+        FuncAnimation(figure, show, self.frames(folder)).save(path, writer=PillowWriter(FRAMES_PER_SECOND), dpi=ANIMATION_DPI)
+        plt.close(figure)

@@ -1,7 +1,9 @@
 """Runs every scene, as many runs at once as there are cores, compares each with its reference log, and prints the table of
 the thesis's claims (see examples/run)."""
 
+import argparse
 import os
+import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -13,6 +15,9 @@ import run_scene
 import runner
 import scene as scenes
 
+PAGE = scenes.EXAMPLES.parent / "docs" / "claims.md"
+MARKS = ("<!-- made by examples/run all --update-reference -->", "<!-- end of the table -->")
+
 
 @dataclass
 class Outcome:
@@ -22,10 +27,12 @@ class Outcome:
     text: str
 
 
-def work(variant, progress, together):
+def work(variant, progress, together, update):
     """runs, compares and draws one variant"""
     try:
         log = run_scene.simulate(variant, 1, progress)
+        if update:
+            run_scene.make_reference(variant, log)
         _, checks = run_scene.check(variant, log, 1)
         passed, failed = run_scene.count(checks)
         text = f"{passed} checks passed, {failed} failed" + (f"\n{compare.report(checks)}" if failed else "")
@@ -36,14 +43,14 @@ def work(variant, progress, together):
     return Outcome(variant, failed, passed, text)
 
 
-def run(variants):
+def run(variants, update):
     """the longest first, so that no core is left waiting for it at the end"""
     weights = {variant.label: scenes.seconds_of(variant.reference("*", 1)) for variant in variants}
     together = runner.Together(weights)
     ordered = sorted(variants, key=lambda variant: -weights[variant.label])
 
     def one(variant):
-        return work(variant, together.part(variant.label), together)
+        return work(variant, together.part(variant.label), together, update)
 
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         return list(pool.map(one, ordered))
@@ -61,10 +68,22 @@ def measured(every, outcomes):
     return claims
 
 
-def main():
+def update_page(page, claims):
+    """puts the table between the marks of docs/claims.md"""
+    before, _, after = (part for part in re.split(f"({MARKS[0]}.*{MARKS[1]})", page.read_text(encoding="utf-8"), flags=re.DOTALL))
+    page.write_text(f"{before}{MARKS[0]}\n{claim.table(claims, linked=True)}\n{MARKS[1]}{after}", encoding="utf-8")
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(prog="examples/run all")
+    parser.add_argument("--update-reference", action="store_true")
+    update = parser.parse_args(argv).update_reference
     every = [scenes.Scene(name) for name in scenes.names()]
-    outcomes = run([scene.variant(name) for scene in every for name in scene.all_variants])
-    print("\n" + claim.table(measured(every, outcomes)) + "\n")
+    outcomes = run([scene.variant(name) for scene in every for name in scene.all_variants], update)
+    claims = measured(every, outcomes)
+    print(f"\n{claim.table(claims)}\n")
+    if update:
+        update_page(PAGE, claims)
     passed, failed = (sum(getattr(outcome, which) for outcome in outcomes) for which in ("passed", "failed"))
     print(f"{len(outcomes)} runs; {passed} checks passed, {failed} failed")
     return 0 if failed == 0 and passed > 0 else 1
@@ -72,6 +91,6 @@ def main():
 
 if __name__ == "__main__":
     try:
-        sys.exit(main())
+        sys.exit(main(sys.argv[1:]))
     except scenes.SceneError as problem:
         sys.exit(str(problem))

@@ -44,6 +44,10 @@ def simulate(variant, nprocs, progress):
     return log
 
 
+def make_reference(variant, log):
+    shutil.copy(log, variant.scene.folder / log.name)
+
+
 def check(variant, log, nprocs):
     """reference log and the checks of the comparison with it"""
     reference = variant.reference(scenes.version_of(log), nprocs)
@@ -68,10 +72,20 @@ def draw(variant, folder):
     return picture
 
 
+def animate(variant, folder):
+    """an animation of the run; the scene's plot.py has a FILM (picture.Film) where there is a dump to show"""
+    film = getattr(variant.scene.load(variant.scene.plot), "FILM", None) if variant.scene.plot else None
+    if not film:
+        raise Failure(f"{variant.scene.name} has no animation: it dumps no frames")
+    path = folder / f"{variant.label}.gif"
+    film.animate(folder, path)
+    return path
+
+
 def run_variant(variant, arguments):
     log = simulate(variant, arguments.np, runner.Progress(f"{variant.label} on {arguments.np} rank(s)"))
     if arguments.update_reference:
-        shutil.copy(log, variant.scene.folder / log.name)
+        make_reference(variant, log)
     reference, checks = check(variant, log, arguments.np)
     print(f"\ncompared with {reference.name}")
     if reference.name != log.name:
@@ -81,6 +95,8 @@ def run_variant(variant, arguments):
     print(f"\nlog:     {log}")
     if picture:
         print(f"picture: {picture}")
+    if arguments.animate:
+        print(f"film:    {animate(variant, log.parent)}")
     return count(checks)
 
 
@@ -91,6 +107,7 @@ def parse(argv):
     parser.add_argument("-np", type=int, default=1, metavar="N")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--update-reference", action="store_true")
+    parser.add_argument("--animate", action="store_true")
     arguments = parser.parse_intermixed_args(argv)
     if not arguments.list and not arguments.scene:
         parser.error("which scene? (--list names them)")

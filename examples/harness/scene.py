@@ -1,5 +1,6 @@
 """A scene: a folder with in.<scene>, scene.yaml, reference logs and perhaps plot.py."""
 
+import importlib.util
 from pathlib import Path
 
 import yaml
@@ -45,13 +46,22 @@ class Scene:
 
     @property
     def claims(self):
-        path = self.folder / "claims.py"
-        return path if path.exists() else None
+        return self._program("claims.py")
 
     @property
     def plot(self):
-        path = self.folder / "plot.py"
+        return self._program("plot.py")
+
+    def _program(self, name):
+        path = self.folder / name
         return path if path.exists() else None
+
+    def load(self, program):
+        """claims.py or plot.py as a module"""
+        spec = importlib.util.spec_from_file_location(f"{program.stem}_of_{self.name.replace('-', '_')}", program)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
 
 
 class Variant:

@@ -15,33 +15,33 @@ import dumpfile  # noqa: E402
 import picture  # noqa: E402
 
 INSTANTS = (0.12, 0.36, 0.8)    # s, Figs 6.16 and 6.17
-COLOURS = matplotlib.colormaps["turbo"]
+SCALE, COLOURS = Normalize(0.0, 2.0), matplotlib.colormaps["turbo"]
 # left wall, upper ledge, lower ledge, right wall: x and z in m, as in in.hopper
 WALLS = [(-0.008, 0.0, -0.05, 0.43), (0.0, 0.03, 0.31, 0.32), (0.04, 0.168, -0.05, 0.24), (0.16, 0.168, 0.24, 0.43)]
 
 
-def draw(axis, frame, scale):
+def draw(axis, frame):
     for left, right, low, high in WALLS:
         axis.fill([left, right, right, left], [low, low, high, high], color="#b9c7b4", linewidth=0, zorder=-2)
     points = np.column_stack([frame["x"], frame["y"], frame["z"]])
-    picture.spheres(axis, points, frame["radius"], COLOURS(scale(-frame["vz"])), turn=0.0, tilt=0.0)
+    picture.spheres(axis, points, frame["radius"], COLOURS(SCALE(-frame["vz"])), turn=0.0, tilt=0.0)
     axis.set_xlim(-0.01, 0.17)
     axis.set_ylim(-0.05, 0.43)
 
 
+FILM = picture.Film("dump.hopper", draw, SCALE, COLOURS, "downward velocity, m/s", 2.4, 5.6)
+
+
 def main(*arguments):
     *folders, path = arguments
-    scale = Normalize(0.0, 2.0)
-    figure, axes = picture.panels(len(folders), len(INSTANTS), 2.4, 5.6)
+    figure, axes = FILM.panels(len(folders), len(INSTANTS))
     for row, folder in zip(axes, folders):
-        frames = dumpfile.read_run(folder, "dump.hopper")
+        frames = FILM.frames(folder)
         variant = Path(folder).resolve().name.split(".")[0]
         for axis, instant in zip(row, INSTANTS):
-            draw(axis, dumpfile.at(frames, instant), scale)
+            draw(axis, dumpfile.at(frames, instant))
             axis.text(0.5, 0.3, f"{variant}\nt = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
-    bar = figure.colorbar(matplotlib.cm.ScalarMappable(scale, COLOURS), ax=list(axes.ravel()), shrink=0.7,
-                          pad=0.02, orientation="horizontal", extend="both")
-    bar.set_label("downward velocity, m/s")
+    FILM.colour_bar(figure, axes.ravel(), shrink=0.7, pad=0.02, extend="both")
     figure.savefig(path, dpi=100)
 
 

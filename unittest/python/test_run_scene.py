@@ -1,11 +1,13 @@
 """examples/run's harness on a small scene of its own."""
 
+import re
 import shutil
 import subprocess
 import sys
 
 import pytest
 import yaml
+from PIL import Image
 
 SCRIPT = """
 variable speed index 1.0
@@ -45,8 +47,9 @@ reference:
 PLOT = """
 import sys
 from pathlib import Path
-assert (Path(sys.argv[1]) / "done.txt").exists()
-Path(sys.argv[2]).write_text("a picture")
+if __name__ == "__main__":
+    assert (Path(sys.argv[1]) / "done.txt").exists()
+    Path(sys.argv[2]).write_text("a picture")
 """
 
 
@@ -55,6 +58,26 @@ from claim import Claim
 def claims(folder_of):
     return [Claim("2", "atoms fly", "42 m", (folder_of("slow") / "done.txt").read_text().strip(), "no"),
             Claim("1", "atoms are there", "yes", "yes", "yes")]
+"""
+
+PAGE = """# Claims
+before
+<!-- made by examples/run all --update-reference -->
+| an | old | table |
+<!-- end of the table -->
+after
+"""
+
+FILM = PLOT + """
+sys.path.insert(0, str(Path(__file__).parent.parent / "harness"))
+import matplotlib
+from matplotlib.colors import Normalize
+import picture
+
+def draw(axis, frame):
+    axis.plot(frame["x"], frame["y"], "o")
+
+FILM = picture.Film("dump.flight", draw, Normalize(0, 1), matplotlib.colormaps["turbo"], "nothing, m", 2.0, 2.0)
 """
 
 
@@ -71,12 +94,15 @@ def examples(root, lmp, tmp_path):
     (scene / "plot.py").write_text(PLOT)
 
     (scene / "claims.py").write_text(CLAIMS)
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs" / "claims.md").write_text(PAGE)
 
     def run(*arguments, program="run_scene.py"):
         return subprocess.run([sys.executable, tmp_path / "examples" / "harness" / program, *arguments],
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     run.scene = scene
+    run.page = tmp_path / "docs" / "claims.md"
     return run
 
 
@@ -139,6 +165,34 @@ def test_all_scenes_and_their_claims(with_reference):
     assert run.returncode == 0, run.stdout
     assert "| 1 | atoms are there | yes | yes | yes |\n| 2 | atoms fly | 42 m | done | no |" in run.stdout
     assert run.stdout.endswith("1 runs; 5 checks passed, 0 failed\n")
+
+
+def test_the_page_of_the_claims_is_written_when_references_are(with_reference):
+    assert with_reference(program="run_all.py").returncode == 0
+    assert with_reference.page.read_text() == PAGE
+    log = reference(with_reference, "slow")
+    log.write_text(log.read_text().replace("        10   0.5", "        10   0.6"))
+    assert with_reference("--update-reference", program="run_all.py").returncode == 0
+    assert "        10   0.5" in log.read_text()
+    text = with_reference.page.read_text()
+    assert text.startswith("# Claims\nbefore\n<!-- made by") and text.endswith("<!-- end of the table -->\nafter\n")
+    assert "| [2](../examples/flight/README.md) | atoms fly | 42 m | done | no |" in text and "an | old" not in text
+
+
+def test_an_animation_shows_every_frame(with_reference):
+    (with_reference.scene / "plot.py").write_text(FILM)
+    (with_reference.scene / "in.flight").write_text(SCRIPT.replace(
+        "custom step", "custom step time").replace("run 20\nrun 20", "dump d all custom 10 ${out}/dump.flight id x y z\nrun 40"))
+    (with_reference.scene / "scene.yaml").write_text(SETTINGS + "    Time: {all: true, rel: 1e-9}\n")
+    run = with_reference("flight", "--animate", "--update-reference")
+    assert run.returncode == 0, run.stdout
+    film = Image.open(re.search(r"^film: +(.*)$", run.stdout, re.MULTILINE).group(1))
+    assert film.n_frames == 5
+
+
+def test_a_scene_without_a_film_says_so(with_reference):
+    run = with_reference("flight", "--animate")
+    assert run.returncode == 1 and "flight has no animation" in run.stdout
 
 
 def test_a_failed_run_is_told_and_leaves_out_its_claims(with_reference):
