@@ -8,6 +8,7 @@ import sys
 
 import compare
 import logfile
+import paraview
 import runner
 import scene as scenes
 
@@ -72,14 +73,22 @@ def draw(variant, folder):
     return picture
 
 
-def animate(variant, folder):
-    """an animation of the run; the scene's plot.py has a FILM (picture.Film) where there is a dump to show"""
-    film = getattr(variant.scene.load(variant.scene.plot), "FILM", None) if variant.scene.plot else None
+def film_of(scene):
+    """how to show the scene's frames (picture.Film); the scene's plot.py has one where there is a dump"""
+    film = getattr(scene.load(scene.plot), "FILM", None) if scene.plot else None
     if not film:
-        raise Failure(f"{variant.scene.name} has no animation: it dumps no frames")
+        raise Failure(f"{scene.name} has no animation: it dumps no frames")
+    return film
+
+
+def animate(variant, folder):
     path = folder / f"{variant.label}.gif"
-    film.animate(folder, path)
+    film_of(variant.scene).animate(folder, path)
     return path
+
+
+def write_for_paraview(variant, folder):
+    return paraview.write(film_of(variant.scene).frames(folder), folder / "paraview", variant.label)
 
 
 def run_variant(variant, arguments):
@@ -97,6 +106,8 @@ def run_variant(variant, arguments):
         print(f"picture: {picture}")
     if arguments.animate:
         print(f"film:    {animate(variant, log.parent)}")
+    if arguments.paraview:
+        print(f"frames:  {write_for_paraview(variant, log.parent)}")
     return count(checks)
 
 
@@ -108,6 +119,7 @@ def parse(argv):
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--update-reference", action="store_true")
     parser.add_argument("--animate", action="store_true")
+    parser.add_argument("--paraview", action="store_true")
     arguments = parser.parse_intermixed_args(argv)
     if not arguments.list and not arguments.scene:
         parser.error("which scene? (--list names them)")

@@ -1,9 +1,11 @@
 """examples/run's harness on a small scene of its own."""
 
+import json
 import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 import yaml
@@ -179,15 +181,21 @@ def test_the_page_of_the_claims_is_written_when_references_are(with_reference):
     assert "| [2](../examples/flight/README.md) | atoms fly | 42 m | done | no |" in text and "an | old" not in text
 
 
-def test_an_animation_shows_every_frame(with_reference):
+def test_an_animation_and_files_for_paraview_show_every_frame(with_reference):
     (with_reference.scene / "plot.py").write_text(FILM)
     (with_reference.scene / "in.flight").write_text(SCRIPT.replace(
         "custom step", "custom step time").replace("run 20\nrun 20", "dump d all custom 10 ${out}/dump.flight id x y z\nrun 40"))
     (with_reference.scene / "scene.yaml").write_text(SETTINGS + "    Time: {all: true, rel: 1e-9}\n")
-    run = with_reference("flight", "--animate", "--update-reference")
+    run = with_reference("flight", "--animate", "--paraview", "--update-reference")
     assert run.returncode == 0, run.stdout
     film = Image.open(re.search(r"^film: +(.*)$", run.stdout, re.MULTILINE).group(1))
     assert film.n_frames == 5
+    series = Path(re.search(r"^frames: +(.*)$", run.stdout, re.MULTILINE).group(1))
+    files = json.loads(series.read_text())["files"]
+    assert [file["time"] for file in files] == pytest.approx([0, 0.05, 0.1, 0.15, 0.2])
+    last = (series.parent / files[-1]["name"]).read_text().splitlines()
+    assert "POINTS 64 double" in last and "SCALARS id double 1" in last
+    assert len(last) == 9 + 3 * 64    # places, cells, IDs
 
 
 def test_a_scene_without_a_film_says_so(with_reference):
