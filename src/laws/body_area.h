@@ -17,8 +17,12 @@
    puts back by discrete second derivatives. Without it a beam of n particles through the depth is soft in
    bending by about 1.8/n^2.
 
+   V_i is the volume of the particle's own cell, which ends at a surface at the tangent planes of the faces: the
+   second moment of the volumes, and with it bending, is then that of the body for random packings too.
+
    Minimised: sum_i energy misfit^2 + imbalance^2 + pull^2 sum (A/A0 - 1)^2, A0 = a d^2 with one a,
-   within bounds LEAST A0 <= A <= MOST A0, by accelerated projected gradients (FISTA) with restarts.
+   within bounds LEAST A0 <= A <= MOST A0, by accelerated projected gradients (FISTA) with restarts. Then twice again, with what
+   the energy still lacks added to T_i.
 
    Nothing here knows of LAMMPS. A rank owns the first `nowned` particles, the others are copies; each rank holds all bonds of
    its own particles. */
@@ -64,7 +68,7 @@ class BodyArea {
   std::vector<Bond> bonds;
   int nowned, nall;
   std::vector<double> diameter,
-      volume;    // of nall particles; no volumes: from the inner particles' cells
+      volume;    // of nall particles, their sum counts; no volumes: from the inner particles' cells
   std::vector<std::int64_t> id;
   Report report;
 
@@ -77,7 +81,7 @@ class BodyArea {
  private:
   static constexpr double POISSON = 0.25;
   static constexpr double LEAST = 0.1, MOST = 4.0, PULL = 0.02;
-  static constexpr int FIRST_ITERATIONS = 20, ITERATIONS = 40;
+  static constexpr int FIRST_ITERATIONS = 20, ITERATIONS = 20, ROUNDS = 3;
 
   struct Half {
     int bond, other;
@@ -97,6 +101,8 @@ class BodyArea {
   std::vector<int> first;    // half bonds of each owned particle
   std::vector<Half> halves;
   std::vector<double> open;    // share of the directions that meet no neighbour, of all particles
+  std::vector<double>
+      normal;    // outward, of the particles on a face, three for each of all particles; else 0
   std::vector<Matrix3> blocked;
   std::vector<Matrix6> admissible, target;
   std::vector<double> moments;    // third and fourth, of all particles
@@ -109,10 +115,14 @@ class BodyArea {
   double reach(int i, const Vector3 &direction, double scale, double enough) const;
   void find_surfaces(double scale);
   bool find_volumes(double scale);
+  double count_inside() const;
+  double cell(int i, double scale, int rays) const;
+  Vector3 cell_at_surface(int i, double scale, int rays) const;
   bool find_start();
 
+  std::vector<double> surfaces_nearby();
   void find_admissible();
-  int free_axes(int i, Vector3 &bonded, Matrix3 &axis) const;
+  int free_axes(int i, const double *nearby, Vector3 &bonded, Matrix3 &axis) const;
   static Matrix6 energy_norm(std::vector<State> &);
 
   void accumulate(const std::vector<double> &z);
@@ -124,6 +134,7 @@ class BodyArea {
   double curvature(int b, const double *k, double v) const;
   double largest_eigenvalue(int i);
   void iterate(int n);
+  void add_missing_energy(const std::vector<Matrix6> &wanted);
 
   bool bulk_moments(std::array<Matrix6, 6> &sixth);
   std::vector<double> surface_layer();
@@ -155,8 +166,7 @@ inline BodyArea::Outcome BodyArea::solve()
   list_halves();
   const double scale = diameter_scale();
   find_surfaces(scale);
-  if (volume.empty() && !find_volumes(scale)) return NO_INSIDE;
-  if (!find_start()) return NO_INSIDE;
+  if (!find_volumes(scale) || !find_start()) return NO_INSIDE;
   find_admissible();
   target.assign(nowned, isotropic_stiffness(POISSON));
   x.assign(bonds.size(), 1.0);
@@ -165,7 +175,12 @@ inline BodyArea::Outcome BodyArea::solve()
   std::array<Matrix6, 6> sixth{};
   if (!bulk_moments(sixth)) return MECHANISM;
   correct_target(sixth);
-  iterate(ITERATIONS);
+  const auto wanted = target;
+  for (int round = 0; round < ROUNDS; round++) {
+    if (round > 0) add_missing_energy(wanted);
+    iterate(ITERATIONS);
+  }
+  target = wanted;
   judge();
   for (std::size_t b = 0; b < bonds.size(); b++) bonds[b].area = x[b] * start[b];
   return DONE;
@@ -236,24 +251,29 @@ inline double BodyArea::reach(int i, const Vector3 &direction, double scale, dou
 
 /* ----------------------------------------------------------------------
    a free surface is where the rays go beyond one diameter; the directions in which their second moment is large are
-   blocked: no traction there
+   blocked: no traction there. One of them, and the rays go to one side of it: the particle is on a face
 ------------------------------------------------------------------------- */
 
 inline void BodyArea::find_surfaces(double scale)
 {
   static constexpr double SHARE =
       0.2;    // of the trace: face below 0.12, edge and corner above 0.29
+  static constexpr double ONE_SIDE =
+      0.5;    // of the rays' length along the normal is left of their sum
   open.assign(nall, 0.0);
+  normal.assign(3 * static_cast<std::size_t>(nall), 0.0);
   blocked.assign(nowned, Matrix3{});
   std::vector<Vector3> rays(SURFACE_RAYS);
   for (int k = 0; k < SURFACE_RAYS; k++) rays[k] = spiral_direction(k, SURFACE_RAYS);
   for (int i = 0; i < nowned; i++) {
     const double gap = scale * diameter[i];
     Matrix3 second{};
+    Vector3 sum{};
     int count = 0;
     for (const auto &ray : rays)
       if (reach(i, ray, scale, gap) > gap) {
         add_dyad(second, 1.0 / SURFACE_RAYS, ray, ray);
+        for (int k = 0; k < 3; k++) sum[k] += ray[k];
         count++;
       }
     if (count < 2) continue;    // a pore
@@ -263,34 +283,121 @@ inline void BodyArea::find_surfaces(double scale)
     eigen3(second, value, axis);
     for (int k = 0; k < 3; k++)
       if (value[k] > SHARE * open[i]) add_dyad(blocked[i], 1.0, axis[k], axis[k]);
+    const double outward = dot(sum, axis[2]);
+    if (value[1] > SHARE * open[i] || std::fabs(outward) < ONE_SIDE * count) continue;
+    for (int k = 0; k < 3; k++)
+      normal[3 * static_cast<std::size_t>(i) + k] = outward > 0.0 ? axis[2][k] : -axis[2][k];
   }
   halo.forward(open.data(), 1);
+  halo.forward(normal.data(), 3);
 }
 
-// without volumes from elsewhere: V = c d^3, c the mean over the closed cells; few cells need many rays
+/* ----------------------------------------------------------------------
+   Each particle has the volume of its own cell. At a surface the cell ends at the planes of the faces nearby, which are
+   lambda times the radius outside the faces' particles. lambda is such that the volumes given add up; without any, such
+   that all together have c d^3, c the mean of the closed cells. Where no lambda does that, V is as given, or c d^3. Few cells
+   need many rays.
+------------------------------------------------------------------------- */
+
 inline bool BodyArea::find_volumes(double scale)
 {
-  static constexpr double RAYS = 2e7;
-  double total[3] = {0.0, 0.0, 0.0};    // cells, their volume, d^3
-  for (int i = 0; i < nowned; i++) total[0] += inside(i);
-  halo.sum(total, 1);
-  if (total[0] == 0.0) return false;
-  const int rays = static_cast<int>(std::clamp(RAYS / total[0], 400.0, 2000.0));
+  static constexpr double RAYS = 2e7, LEAST_LAMBDA = 0.5, MOST_LAMBDA = 1.2;
+  const double count = count_inside();
+  if (count == 0.0) return false;
+  const int rays = static_cast<int>(std::clamp(RAYS / count, 400.0, 2000.0));
+  std::vector<double> cells(nall, 0.0);
+  std::vector<Vector3> ends(nowned, Vector3{});
+  // closed cells: volume, d^3; open ones: c0, c1, c2; all: d^3, given
+  double total[7] = {};
   for (int i = 0; i < nowned; i++) {
-    if (!inside(i)) continue;
-    double cubes = 0.0;
-    for (int k = 0; k < rays; k++) {
-      const double r = reach(i, spiral_direction(k, rays), scale, 0.0);
-      cubes += r * r * r;
+    if (first[i] == first[i + 1]) continue;
+    const double cube = diameter[i] * diameter[i] * diameter[i];
+    if (inside(i)) {
+      total[0] += cells[i] = cell(i, scale, rays);
+      total[1] += cube;
+    } else {
+      ends[i] = cell_at_surface(i, scale, rays);
+      for (int k = 0; k < 3; k++) total[2 + k] += ends[i][k];
     }
-    total[1] += 4.0 * M_PI / 3.0 * cubes / rays;
-    total[2] += diameter[i] * diameter[i] * diameter[i];
+    total[5] += cube;
+    if (!volume.empty()) total[6] += volume[i];
   }
-  halo.sum(total + 1, 2);
-  volume.resize(nall);
-  for (int i = 0; i < nall; i++)
-    volume[i] = total[1] / total[2] * diameter[i] * diameter[i] * diameter[i];
+  halo.sum(total, 7);
+  const double per_cube = total[0] / total[1];
+  if (volume.empty()) {
+    for (const double d : diameter) volume.push_back(per_cube * d * d * d);
+    total[6] = per_cube * total[5];
+  }
+  auto missing = [&total](double lambda) {
+    return total[6] - total[0] - total[2] - lambda * (total[3] + lambda * total[4]);
+  };
+  double low = LEAST_LAMBDA, high = MOST_LAMBDA;
+  if (missing(low) < 0.0 || missing(high) > 0.0) return true;
+  while (high - low > 1e-15) (missing(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  for (int i = 0; i < nowned; i++)
+    if (first[i] < first[i + 1])
+      volume[i] = cells[i] + ends[i][0] + low * (ends[i][1] + low * ends[i][2]);
+  halo.forward(volume.data(), 1);
   return true;
+}
+
+inline double BodyArea::count_inside() const
+{
+  double count = 0.0;
+  for (int i = 0; i < nowned; i++) count += inside(i);
+  halo.sum(&count, 1);
+  return count;
+}
+
+inline double BodyArea::cell(int i, double scale, int rays) const
+{
+  double cubes = 0.0;
+  for (int k = 0; k < rays; k++) {
+    const double r = reach(i, spiral_direction(k, rays), scale, 0.0);
+    cubes += r * r * r;
+  }
+  return 4.0 * M_PI / 3.0 * cubes / rays;
+}
+
+// coefficients of the volume as a polynomial in lambda. A ray ends at the latest where `open` begins
+inline Vector3 BodyArea::cell_at_surface(int i, double scale, int rays) const
+{
+  static constexpr double LAMBDA[3] = {0.6, 0.8, 1.0};
+  struct Plane {
+    Vector3 normal;
+    double height, radius;    // of the particle that it touches
+  };
+  std::vector<Plane> planes;
+  auto add = [this, i, scale, &planes](int j, const Vector3 &dx) {
+    const double *n = &normal[3 * static_cast<std::size_t>(j)];
+    const Plane plane = {
+        {n[0], n[1], n[2]}, n[0] * dx[0] + n[1] * dx[1] + n[2] * dx[2], 0.5 * scale * diameter[j]};
+    if (dot(plane.normal, plane.normal) > 0.0) planes.push_back(plane);
+  };
+  add(i, {});
+  for (int h = first[i]; h < first[i + 1]; h++) add(halves[h].other, separation(halves[h]));
+
+  const double radius = 0.5 * scale * diameter[i];
+  Vector3 cubes{};
+  for (int k = 0; k < rays; k++) {
+    const Vector3 ray = spiral_direction(k, rays);
+    const double cell = std::min(reach(i, ray, scale, 0.0), 2.0 * radius);
+    for (int l = 0; l < 3; l++) {
+      double r = cell;
+      for (const auto &plane : planes) {
+        const double along = dot(ray, plane.normal);
+        // no plane cuts into the particle itself
+        const double height = std::max(plane.height + LAMBDA[l] * plane.radius, LAMBDA[l] * radius);
+        if (along * r > height) r = height / along;
+      }
+      cubes[l] += r * r * r;
+    }
+  }
+  for (auto &v : cubes) v *= 4.0 * M_PI / 3.0 / rays;
+  const double h = LAMBDA[1] - LAMBDA[0],
+               curved = (cubes[0] - 2.0 * cubes[1] + cubes[2]) / (2.0 * h * h);
+  const double slope = (cubes[2] - cubes[0]) / (2.0 * h) - 2.0 * curved * LAMBDA[1];
+  return {cubes[1] - LAMBDA[1] * (slope + curved * LAMBDA[1]), slope, curved};
 }
 
 /* ----------------------------------------------------------------------
@@ -322,19 +429,48 @@ inline bool BodyArea::find_start()
 }
 
 /* ----------------------------------------------------------------------
-   K_i. States with a traction on a blocked direction drop out. Just below a surface, where bonds are cut
-   off along a direction, its states count less: by how much is told by the second moment of the bonds.
+   K_i. States with a traction on a blocked direction drop out. Below a surface they count less, the more so the nearer
+   it is: by how much is told by the second moment of the bonds, which are cut off there, and by the blocked directions of
+   all particles within two bonds.
 ------------------------------------------------------------------------- */
+
+// mean of the blocked directions over the particles within two bonds (as often as there are ways to them)
+inline std::vector<double> BodyArea::surfaces_nearby()
+{
+  static constexpr int BONDS = 2, WIDTH = 10;    // last: volume
+  std::vector<double> sum(WIDTH * static_cast<std::size_t>(nall), 0.0);
+  for (int i = 0; i < nowned; i++) {
+    double *mine = &sum[WIDTH * static_cast<std::size_t>(i)];
+    for (int k = 0; k < 9; k++) mine[k] = volume[i] * blocked[i][k / 3][k % 3];
+    mine[9] = volume[i];
+  }
+  for (int round = 0; round < BONDS; round++) {
+    halo.forward(sum.data(), WIDTH);
+    const auto last = sum;
+    for (int i = 0; i < nowned; i++)
+      for (int h = first[i]; h < first[i + 1]; h++)
+        for (int k = 0; k < WIDTH; k++)
+          sum[WIDTH * static_cast<std::size_t>(i) + k] +=
+              last[WIDTH * static_cast<std::size_t>(halves[h].other) + k];
+  }
+  std::vector<double> mean(9 * static_cast<std::size_t>(nowned));
+  for (int i = 0; i < nowned; i++)
+    for (int k = 0; k < 9; k++)
+      mean[9 * static_cast<std::size_t>(i) + k] = sum[WIDTH * static_cast<std::size_t>(i) + k] /
+          sum[WIDTH * static_cast<std::size_t>(i) + 9];
+  return mean;
+}
 
 inline void BodyArea::find_admissible()
 {
-  static constexpr double CUT_OFF = 0.7, COMPLETE = 0.9, FLOOR = 0.1;
+  static constexpr double CUT_OFF = 0.7, COMPLETE = 0.9, FLOOR = 0.3;
+  const auto nearby = surfaces_nearby();
   admissible.assign(nowned, Matrix6{});
   for (int i = 0; i < nowned; i++) {
     if (first[i] == first[i + 1]) continue;
     Vector3 bonded;
     Matrix3 axis;
-    const int free = free_axes(i, bonded, axis);
+    const int free = free_axes(i, &nearby[9 * static_cast<std::size_t>(i)], bonded, axis);
     std::vector<State> states;
     for (int k = 3 - free; k < 3; k++)
       for (int l = k; l < 3; l++) {
@@ -347,9 +483,10 @@ inline void BodyArea::find_admissible()
   }
 }
 
-// the directions without a free surface, last, and the second moment of the bonds along them
-inline int BodyArea::free_axes(int i, Vector3 &bonded, Matrix3 &axis) const
+// the directions without a free surface, last, and the second moment of the bonds along them, less the surfaces nearby
+inline int BodyArea::free_axes(int i, const double *nearby, Vector3 &bonded, Matrix3 &axis) const
 {
+  static constexpr double NEARBY = 5.0;
   static constexpr double BEHIND = 10.0;    // puts the blocked directions first
   Matrix3 second{}, inward{};
   double free = 0.0;
@@ -362,6 +499,7 @@ inline int BodyArea::free_axes(int i, Vector3 &bonded, Matrix3 &axis) const
     const Vector3 n = {bond.n[0], bond.n[1], bond.n[2]};
     add_dyad(second, 0.25 * start[halves[h].bond] * bond.length / volume[i], n, n);
   }
+  for (int k = 0; k < 9; k++) second[k / 3][k % 3] -= NEARBY * nearby[k];
   second = product(inward, product(second, inward));
   for (int k = 0; k < 3; k++)
     for (int l = 0; l < 3; l++) second[k][l] -= BEHIND * blocked[i][k][l];
@@ -599,6 +737,24 @@ inline void BodyArea::iterate(int n)
 }
 
 /* ----------------------------------------------------------------------
+   what a particle's energy still lacks is asked for once more: the pull towards equal areas and the bounds
+   leave the least squares short of it
+------------------------------------------------------------------------- */
+
+inline void BodyArea::add_missing_energy(const std::vector<Matrix6> &wanted)
+{
+  accumulate(x);
+  Matrix6 energy;
+  double force[6][3];
+  for (int i = 0; i < nowned; i++) {
+    if (first[i] == first[i + 1]) continue;
+    residual(i, false, energy, force);
+    for (int a = 0; a < 6; a++)
+      for (int b = 0; b < 6; b++) target[i][a][b] += wanted[i][a][b] - energy[a][b];
+  }
+}
+
+/* ----------------------------------------------------------------------
    sixth moments of the bulk's bonds (how far they spread the energy), scaled to the solid's stiffness. False if the
    fourth moments, the stiffness itself, leave some strain without resistance: the network is a mechanism.
 ------------------------------------------------------------------------- */
@@ -797,7 +953,7 @@ inline Matrix6 BodyArea::layer_energy(const Vector6 &layer, double cell,
   Matrix3 axis;
   eigen3(tensor(layer), value, axis);
   const double largest = std::max(std::fabs(value[0]), std::fabs(value[2]));
-  for (int k = 0; k < 3; k++) kept[k] = 1.0 - std::fabs(value[k]) / largest;
+  for (int k = 0; k < 3; k++) kept[k] = 1.0 - value[k] * value[k] / (largest * largest);
   // strain -> strain of the stress that is left
   Matrix6 left{};
   for (int k = 0; k < 3; k++)

@@ -121,17 +121,37 @@ TEST(BodyArea, AreasScaleWithTheSquareOfLengths)
     EXPECT_NEAR(1e6 * small.bonds[k].area / one.bonds[k].area, 1.0, 1e-9);
 }
 
+// their sum counts, each particle has its own cell; what no surface can explain is taken as given
 TEST(BodyArea, VolumesCanBeGiven)
 {
   BodyHalo alone;
-  BodyArea own(alone), given(alone);
-  fill(own, {5, 5, 6, false, 1.0, 2.0});
-  fill(given, {5, 5, 6, false, 1.0, 2.0});
-  given.volume.assign(given.nall, 0.8);
-  ASSERT_EQ(own.solve(), BodyArea::DONE);
-  ASSERT_EQ(given.solve(), BodyArea::DONE);
-  EXPECT_NEAR(given.report.volume, 120.0, 1e-9);
-  EXPECT_NEAR(given.report.start / own.report.start, 0.8, 1e-3);
+  BodyArea own(alone), uneven(alone), loose(alone);
+  for (auto *body : {&own, &uneven, &loose}) fill(*body, {5, 5, 6, false, 1.0, 2.0});
+  for (int i = 0; i < uneven.nall; i++) uneven.volume.push_back(i % 2 == 0 ? 0.8 : 1.2);
+  loose.volume.assign(loose.nall, 0.5);
+  for (auto *body : {&own, &uneven, &loose}) ASSERT_EQ(body->solve(), BodyArea::DONE);
+  EXPECT_NEAR(uneven.report.volume, 150.0, 1e-9);
+  for (std::size_t k = 0; k < own.bonds.size(); k++)
+    EXPECT_NEAR(uneven.bonds[k].area / own.bonds[k].area, 1.0, 1e-3);    // 150 by rays of the cells
+  EXPECT_NEAR(loose.report.volume, 75.0, 1e-9);
+  EXPECT_NEAR(loose.report.start / own.report.start, 0.5, 1e-3);
+}
+
+TEST(BodyArea, CellsEndAtTheSurface)
+{
+  BodyHalo alone;
+  BodyArea body(alone);
+  const int n[3] = {5, 6, 7};
+  fill(body, {n[0], n[1], n[2], false, 1.0, 2.0});
+  body.volume.assign(body.nall, 4.6 * 5.6 * 6.6 / body.nall);    // the faces 0.3 outside the outer layer
+  ASSERT_EQ(body.solve(), BodyArea::DONE);
+  for (int i = 0; i < body.nall; i++) {
+    const int at[3] = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};
+    double exact = 1.0;
+    for (int k = 0; k < 3; k++)
+      if (at[k] == 0 || at[k] == n[k] - 1) exact *= 0.8;
+    EXPECT_NEAR(body.volume[i], exact, 0.02);    // rays; normals from few directions
+  }
 }
 
 TEST(BodyArea, RefusesWhatIsNoSolid)

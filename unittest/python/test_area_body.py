@@ -80,18 +80,15 @@ def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     assert ratio["frequency"] == pytest.approx(1.0, abs=0.05)
 
 
-def test_stiffness_of_a_random_packing(run_lammps, tmp_path):
-    """within 5 %. The mass is that of the solid box, so that `density` gives the volume of the box. In bending the exact
-    value is that of the particles' own cells: centres keep away from the faces, and the cells' second moment is 4 to
-    5 % below the box's"""
-    body = networks.packing(8, 30, spread=0.2)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_stiffness_of_a_random_packing(run_lammps, tmp_path, seed):
+    """within 5 % of the box, in tension and in bending. The mass is that of the solid box, so that `density` gives its
+    volume; the frequency of a cantilever of 3.5 depths is that of the clamp too and stays out"""
+    body = networks.packing(8, 30, spread=0.2, seed=seed)
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body, area="body density 2500", mass=2500 * body.v)
     ratio = networks.measure(body, pairs, areas, 2.0)
-    z = body.x[:, 2] - np.average(body.x[:, 2], weights=body.v)
-    cells = (body.v @ z**2 + (body.v ** (5 / 3)).sum() / 12) / (body.v.sum() * body.size[2] ** 2 / 12)
-    assert 0.94 < cells < 0.97
     assert ratio["axial"] == pytest.approx(1.0, abs=0.05)
-    assert ratio["bending"] / cells == pytest.approx(1.0, abs=0.05)
+    assert ratio["bending"] == pytest.approx(1.0, abs=0.05)
 
 
 def test_periodic_crystal_is_isotropic(run_lammps):
