@@ -117,10 +117,10 @@ def patch(body, bonds):
 def bodies(quick):
     """(name, r_infl, depth, body)"""
     reaches = (2.0,) if quick else (1.42, 1.75, 2.0, 2.5)
-    for lattice, depths in (("cubic", (5, 10)), ("fcc", (5.6, 9.9)), ("hcp", (5, 10))):
+    for lattice, depths in (("cubic", (5, 10)), ("fcc", (5.6, 9.9)), ("hcp", (5, 10)), ("bcc", (4.6, 9.2))):
         for k, depth in enumerate(depths):
             body = networks.beam(lattice, depth, 50 if k == 0 else 80)
-            for reach in reaches if k == 0 and lattice != "hcp" else (2.0,):
+            for reach in reaches if k == 0 and lattice in ("cubic", "fcc") else (2.0,):
                 yield lattice, reach, body
     for depth in (6, 10):
         yield "random", 2.0, networks.packing(depth, 8 * depth, spread=0.2)
