@@ -4,11 +4,13 @@
      F   = c / s^n   repulsive,   Phi = c / ((n-1) s^(n-1)),   c = K0 (2 delta)^(n+1) / n     s > 0
    so that the stiffness at first contact is K0. F never vanishes by itself: it is cut at s = x 2 delta,
    by default where it has fallen to 1e-3 of its value at first contact, x = 10^(3/n).
-   K0 force/length; n > 2 real; 0 < alpha < 1; x > 1. */
+   With `least` the law goes on straight below s = least 2 delta (continued.h).
+   K0 force/length; n > 2 real; 0 < alpha < 1; x > 1; 0 < least < 1. */
 
 #ifndef POTDEM_REGULARISED_GRANULAR_H
 #define POTDEM_REGULARISED_GRANULAR_H
 
+#include "continued.h"
 #include "evaluation.h"
 #include "pairing.h"
 #include "power.h"
@@ -19,7 +21,8 @@ struct RegularisedGranular {
   static constexpr bool touching = false, rated = false;
 
   double K0, n, alpha;
-  double cut;    // x
+  double cut;            // x
+  double least = 0.0;    // 0: none
 
   static constexpr double faded = 1e-3;
   static double default_cut(double n) { return std::pow(faded, -1.0 / n); }
@@ -27,16 +30,24 @@ struct RegularisedGranular {
   double reach(double dbar) const { return (1.0 + (cut - 1.0) * alpha) * dbar; }
 
   struct Kernel {
-    double K0, n, alpha, cut,
-        tail;    // tail: energy at the cut over that at first contact, 0: no shift
+    double K0, n, alpha, cut, least;
+    double tail;    // energy at the cut over that at first contact, 0: no shift
     Power power;
 
-    double core(const Pairing &pair) const { return pair.contact - alpha * pair.dbar(); }
+    double r0(const Pairing &pair) const { return pair.contact - alpha * pair.dbar(); }
+    double core(const Pairing &pair) const { return least > 0.0 ? 0.0 : r0(pair); }
 
     Evaluation evaluate(double r, const Pairing &pair) const
     {
-      const double first = alpha * pair.dbar(), s = r - core(pair);
+      const double first = alpha * pair.dbar(), s = r - r0(pair);
       if (s >= cut * first) return {0.0, 0.0, 0.0};
+      return continued(s, least * first, [this, first](double distance) {
+        return at(distance, first);
+      });
+    }
+
+    Evaluation at(double s, double first) const
+    {
       const double t = first / s, p = power(t);
       const double force = K0 * first / n * p;
       return {force * s / (n - 1.0) - tail * K0 * first * first / (n * (n - 1.0)), force,
@@ -46,7 +57,7 @@ struct RegularisedGranular {
 
   Kernel kernel(bool shift) const
   {
-    return {K0, n, alpha, cut, shift ? cut * Power(n)(1.0 / cut) : 0.0, Power(n)};
+    return {K0, n, alpha, cut, least, shift ? cut * Power(n)(1.0 / cut) : 0.0, Power(n)};
   }
 };
 

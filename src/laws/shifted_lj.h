@@ -6,11 +6,12 @@
      s_d = R ((2n+1)/(n+1))^(1/n)                                 where the attraction is largest
    the thesis's choice: no softening branch. The force jumps there by design.
    K0 force/length; R, s_c length; n > 0 real; 0 <= alpha < 1. For a pair with a shorter contact distance
-   (Pairing) r0 moves by the same amount. */
+   (Pairing) r0 moves by the same amount. With `least` the law goes on straight below that s (continued.h), 0 < least < R. */
 
 #ifndef POTDEM_SHIFTED_LJ_H
 #define POTDEM_SHIFTED_LJ_H
 
+#include "continued.h"
 #include "evaluation.h"
 #include "pairing.h"
 #include "power.h"
@@ -21,7 +22,8 @@ struct ShiftedLJ {
   static constexpr bool touching = false, rated = false;
 
   double K0, R, n, alpha;
-  double cut;    // s_c
+  double cut;            // s_c
+  double least = 0.0;    // 0: none
 
   static double default_cut(double R, double n)
   {
@@ -31,10 +33,11 @@ struct ShiftedLJ {
   double reach(double dbar) const { return (1.0 - alpha) * dbar + cut; }
 
   struct Kernel {
-    double D, R, n, alpha, cut, offset;
+    double D, R, n, alpha, cut, least, offset;
     Power power;
 
-    double core(const Pairing &pair) const { return pair.contact - alpha * pair.dbar(); }
+    double r0(const Pairing &pair) const { return pair.contact - alpha * pair.dbar(); }
+    double core(const Pairing &pair) const { return least > 0.0 ? 0.0 : r0(pair); }
 
     Evaluation at(double s) const
     {
@@ -46,16 +49,18 @@ struct ShiftedLJ {
 
     Evaluation evaluate(double r, const Pairing &pair) const
     {
-      const double s = r - core(pair);
+      const double s = r - r0(pair);
       if (s >= cut) return {0.0, 0.0, 0.0};
-      return at(s);
+      return continued(s, least, [this](double t) {
+        return at(t);
+      });
     }
   };
 
   // shift: energy zero at the cut
   Kernel kernel(bool shift) const
   {
-    Kernel made{K0 * R * R / (2.0 * n * n), R, n, alpha, cut, 0.0, Power(n)};
+    Kernel made{K0 * R * R / (2.0 * n * n), R, n, alpha, cut, least, 0.0, Power(n)};
     if (shift) made.offset = made.at(cut).energy;
     return made;
   }

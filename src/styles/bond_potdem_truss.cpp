@@ -14,6 +14,7 @@
 #include "potdem_input.h"
 #include "potdem_ledger.h"
 #include "potdem_stiffness.h"
+#include "potdem_watch.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -46,8 +47,8 @@ static double distance2(const double *a, const double *b)
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
     Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), ledger(nullptr),
-    generation(-1), new_bonds(true), longest(0.0), cutghost_own(-1.0), quiet(nullptr),
-    tallied(nullptr)
+    watch(nullptr), generation(-1), new_bonds(true), longest(0.0), cutghost_own(-1.0),
+    quiet(nullptr), tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -161,6 +162,7 @@ void BondPotdemTruss::init_style()
   bond_store = PotdemBondStore::ensure(lmp);
   bond_store->turn_off_failed();
   ledger = PotdemLedger::find(lmp);
+  watch = PotdemWatch::ensure(lmp);
   generation = -1;
   new_bonds = true;
 
@@ -441,6 +443,7 @@ void BondPotdemTruss::work(Span &span)
 void BondPotdemTruss::collect(const Span &span)
 {
   if (span.i >= 0) collapsed(span.i, span.j);
+  if (watch && span.crushed >= 0) suspect(span.crushed_i, span.crushed);
   over.insert(over.end(), span.over.begin(), span.over.end());
 }
 
@@ -491,6 +494,7 @@ template <bool EV, int FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kerne
   const int *const type = bonds.type.data();
   const double *const inverse_length2 = bonds.inverse_length2.data();
   const double *const half_modulus = bonds.half_modulus.data();
+  constexpr double crushed = PotdemWatch::CRUSHED * PotdemWatch::CRUSHED;
 
   for (int i = span.from; i < span.to; i++) {
     const int begin = bonds.first[i], end = bonds.first[i + 1], ghosts = bonds.ghosts[i];
@@ -501,12 +505,16 @@ template <bool EV, int FAIL, bool HINDER, bool DAMP> void BondPotdemTruss::kerne
       const int j = partner[n];
       const double dx = x[j][0] - xi, dy = x[j][1] - yi, dz = x[j][2] - zi;
       const double r2 = dx * dx + dy * dy + dz * dz;
-      if (!(r2 > 0.0)) {    // true for NaN as well
-        span.i = i;
-        span.j = j;
-        return;
-      }
       const double q = r2 * inverse_length2[n];
+      if (!(q > crushed)) {    // true for NaN as well
+        if (!(r2 > 0.0)) {
+          span.i = i;
+          span.j = j;
+          return;
+        }
+        span.crushed_i = i;
+        span.crushed = n;
+      }
 
       // tension over distance; load: 2 c eps, the stress over E/2
       const double inverse_r = 1.0 / sqrt(r2);
@@ -550,6 +558,20 @@ void BondPotdemTruss::note(int i, int j, double fx, double fy, double fz)
 {
   ledger->add(PotdemLedger::VISCOUS, i, fx, fy, fz);
   if (j < atom->nlocal) ledger->add(PotdemLedger::VISCOUS, j, -fx, -fy, -fz);
+}
+
+// the factor of penetration keeps a crushed bond stiff, perhaps too stiff for the step; without it nothing does
+void BondPotdemTruss::suspect(int i, int n) const
+{
+  const int type = bonds.type[n], j = bonds.partner[n];
+  if (type == 0) return;    // cut
+  const double r = sqrt(distance2(atom->x[i], atom->x[j]));
+  const double re = 1.0 / sqrt(bonds.inverse_length2[n]);
+  const double stiffness = law(type, r, re, 2.0 * bonds.half_modulus[n]).stiffness;
+  if (coeffs[type].m == 0)
+    watch->crushed(i, j, r / re);
+  else if (watch->is_hasty_pair(i, j, stiffness))
+    watch->hasty_pair("The crushed bond of", i, j, stiffness);
 }
 
 void BondPotdemTruss::collapsed(int i, int j) const

@@ -84,6 +84,7 @@ class BondPotdemTruss : public Bond {
 
   class PotdemBondStore *bond_store;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
+  class PotdemWatch *watch;      // null: nothing to warn of
   int generation;
   bool new_bonds;    // there may be some since the last run
   double longest, cutghost_own;
@@ -92,9 +93,10 @@ class BondPotdemTruss : public Bond {
   struct Span {
     int from, to;
     double **f;
-    class ThrData *thread;              // null: no threads
-    std::vector<Overstretched> over;    // bonds that fail
-    int i = -1, j = -1;                 // a bond without length
+    class ThrData *thread;               // null: no threads
+    std::vector<Overstretched> over;     // bonds that fail
+    int i = -1, j = -1;                  // a bond without length
+    int crushed_i = -1, crushed = -1;    // one that is hardly longer: owned atom, packed bond
   };
   typedef void (BondPotdemTruss::*Kernel)(Span &);
   Kernel quiet, tallied;
@@ -137,6 +139,7 @@ class BondPotdemTruss : public Bond {
   void work(Span &);
   void collect(const Span &);
   [[noreturn]] void collapsed(int i, int j) const;
+  void suspect(int i, int n) const;
   virtual void tally(const Span &, int i, int j, double energy, double push, const double *del);
 };
 

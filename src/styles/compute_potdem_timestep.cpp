@@ -23,6 +23,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -69,10 +71,14 @@ void ComputePotdemTimestep::init()
                "compute potdem/timestep {} needs a mass per particle, e.g. atom_style sphere or "
                "bpm/sphere",
                id);
-  bond = BondPotdemTruss::find(lmp);
-  if (!bond && atom->nbonds > 0 && force->bond)
-    warn_of("bond_style " + std::string(force->bond_style));
   if (ahead > 0.0) comm->ghost_velocity = 1;
+  find_styles();
+  warn_of_others();
+}
+
+void ComputePotdemTimestep::find_styles()
+{
+  bond = BondPotdemTruss::find(lmp);
   find_pairs();
   walls = fixes<FixPotdemWallRegion>(modify, "^potdem/wall/region$");
   dampings = fixes<FixPotdemDamping>(modify, "^potdem/damping$");
@@ -85,20 +91,32 @@ struct HybridParts : public PairHybrid {
   using PairHybrid::styles;
 };
 
+// the styles of hybrid, or the one that there is: (style, name)
+static std::vector<std::pair<Pair *, std::string>> parts(Force *force)
+{
+  if (!force->pair) return {};
+  const auto hybrid = dynamic_cast<PairHybrid *>(force->pair);
+  if (!hybrid) return {{force->pair, force->pair_style}};
+  std::vector<std::pair<Pair *, std::string>> found;
+  for (int k = 0; k < hybrid->*&HybridParts::nstyles; k++)
+    found.emplace_back((hybrid->*&HybridParts::styles)[k], (hybrid->*&HybridParts::keywords)[k]);
+  return found;
+}
+
 void ComputePotdemTimestep::find_pairs()
 {
   pairs.clear();
-  if (!force->pair) return;
-  const auto hybrid = dynamic_cast<PairHybrid *>(force->pair);
-  const int nstyles = hybrid ? hybrid->*&HybridParts::nstyles : 1;
-  for (int k = 0; k < nstyles; k++) {
-    const auto style = hybrid ? (hybrid->*&HybridParts::styles)[k] : force->pair;
-    const std::string name = hybrid ? (hybrid->*&HybridParts::keywords)[k] : force->pair_style;
-    if (const auto pair = dynamic_cast<PairPotdemBase *>(style))
-      pairs.push_back(pair);
-    else if (name != "zero")
-      warn_of("pair_style " + name);
-  }
+  for (const auto &part : parts(force))
+    if (const auto pair = dynamic_cast<PairPotdemBase *>(part.first)) pairs.push_back(pair);
+}
+
+void ComputePotdemTimestep::warn_of_others() const
+{
+  if (!bond && atom->nbonds > 0 && force->bond)
+    warn_of("bond_style " + std::string(force->bond_style));
+  for (const auto &part : parts(force))
+    if (!dynamic_cast<PairPotdemBase *>(part.first) && part.second != "zero")
+      warn_of("pair_style " + part.second);
 }
 
 void ComputePotdemTimestep::warn_of(const std::string &style) const

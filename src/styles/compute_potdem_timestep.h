@@ -25,6 +25,9 @@ class ComputePotdemTimestep : public Compute {
   void unpack_reverse_comm(int, int *, double *) override;
   double memory_usage() override;
 
+  void find_styles();    // all whose stiffness counts
+  tagint particle() const { return static_cast<tagint>(vector[PARTICLE]); }
+
  private:
   enum { ELASTIC, STIFFEST, PARTICLE, NVALUES };
 
@@ -37,6 +40,7 @@ class ComputePotdemTimestep : public Compute {
   double step;
 
   void find_pairs();
+  void warn_of_others() const;
   void warn_of(const std::string &style) const;
   void gather();
   std::vector<double> inverse_root_masses() const;

@@ -11,6 +11,7 @@
 #include "potdem_law_input.h"
 #include "potdem_ledger.h"
 #include "potdem_stiffness.h"
+#include "potdem_watch.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -39,8 +40,8 @@ static constexpr double UPRIGHT = 1e-9;
 /* ---------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), viscosity(0.0),
-    rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
+    Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), watch(nullptr),
+    viscosity(0.0), rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -139,6 +140,12 @@ void FixPotdemWallRegion::read_rotation(PotdemInput &input)
   inertia = POTDEM::DISC_INERTIA;
 }
 
+// here, because a fix cannot be made while another one is
+void FixPotdemWallRegion::post_constructor()
+{
+  PotdemWatch::ensure(lmp);
+}
+
 int FixPotdemWallRegion::setmask()
 {
   return POST_FORCE | MIN_POST_FORCE;
@@ -150,6 +157,7 @@ void FixPotdemWallRegion::init()
 {
   potdem_refuse_respa(lmp, "fix potdem/wall/region");
   ledger = PotdemLedger::find(lmp);
+  watch = PotdemWatch::ensure(lmp);
   region = domain->get_region_by_id(region_id);
   if (!region)
     error->all(FLERR, "Region {} for fix potdem/wall/region {} does not exist", region_id, id);
@@ -270,6 +278,8 @@ bool FixPotdemWallRegion::press(int i, const PotdemWallSurface::Face &face, cons
                "distance {} of the law; use a smaller timestep or a law that pushes harder",
                id, atom->tag[i], r, update->ntimestep, law.core(ri));
   const auto at = law.evaluate(r, ri);
+  if (watch && (r < PotdemWatch::DEEP * ri || watch->is_hasty_wall(i, at.stiffness)))
+    suspect(i, law.core(ri) > 0.0 ? 1.0 : r / ri, at.stiffness);
   MathExtra::copy3(face.n, touch.n);
   MathExtra::scale3(-r, face.n, touch.arm);
   touch.normal = at.force;
@@ -292,6 +302,14 @@ bool FixPotdemWallRegion::press(int i, const PotdemWallSurface::Face &face, cons
   mine[0] += at.energy;
   add(i, touch, f);
   return true;
+}
+
+// a particle too deep in the wall or, with a law that has no depth to lose, too stiff for the step
+void FixPotdemWallRegion::suspect(int i, double nearness, double stiffness) const
+{
+  const auto wall = fmt::format("wall {}", id);
+  if (nearness < PotdemWatch::DEEP) watch->deep_wall(wall, i, nearness);
+  if (watch->is_hasty_wall(i, stiffness)) watch->hasty_wall(wall, i, stiffness);
 }
 
 // in two dimensions a face z = const is no wall

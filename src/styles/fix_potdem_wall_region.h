@@ -21,6 +21,7 @@ namespace LAMMPS_NS {
 class FixPotdemWallRegion : public Fix {
  public:
   FixPotdemWallRegion(class LAMMPS *, int, char **);
+  void post_constructor() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -48,6 +49,7 @@ class FixPotdemWallRegion : public Fix {
   class Region *region;
   PotdemWallSurface surface;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
+  class PotdemWatch *watch;      // null: nothing to warn of
   std::variant<POTDEM::LayeredHertzWall, POTDEM::LawWall<POTDEM::ShiftedLJ>,
                POTDEM::LawWall<POTDEM::RegularisedGranular>, POTDEM::LawWall<POTDEM::TrussContact>>
       law;
@@ -84,6 +86,7 @@ class FixPotdemWallRegion : public Fix {
   double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;
   template <class Wall>
   struct PotdemSpring spring(int i, const PotdemWallSurface::Face &, double r, const Wall &) const;
+  void suspect(int i, double nearness, double stiffness) const;
   double sum(int);
 };
 

@@ -13,6 +13,7 @@
 #include "potdem_ledger.h"
 #include "potdem_material_file.h"
 #include "potdem_stiffness.h"
+#include "potdem_watch.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -35,7 +37,7 @@ using namespace LAMMPS_NS;
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
     Pair(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr), bond_store(nullptr),
-    atom_types(0)
+    watch(nullptr), atom_types(0), watched_step(0.0)
 {
   writedata = 1;
   single_enable = 1;
@@ -62,6 +64,7 @@ void PairPotdemBase::allocate()
   std::fill(&setflag[0][0], &setflag[0][0] + n * n, 0);
   std::fill(&cutsq[0][0], &cutsq[0][0] + n * n, 0.0);
   friction.assign(n * n, POTDEM::Friction());
+  alarm.assign(n * n, 0.0);
 }
 
 void PairPotdemBase::settings(int narg, char **arg)
@@ -147,7 +150,9 @@ void PairPotdemBase::init_style()
   // after a restart the pair style is the first to ask for it
   bond_store = BondPotdemTruss::find(lmp) ? PotdemBondStore::ensure(lmp) : nullptr;
   ledger = PotdemLedger::find(lmp);
-  find_diameters();
+  watch = PotdemWatch::ensure(lmp);
+  watched_step = update->dt;
+  find_sizes();
   find_needs();
   if (touching()) PotdemCompat::has_cutoffs_by_size(this, 0);
   if (rotation && !(atom->omega_flag && atom->torque_flag))
@@ -177,18 +182,29 @@ void PairPotdemBase::find_needs()
   if (potdem_minimizes(lmp)) sliding = viscous = false;
 }
 
-void PairPotdemBase::find_diameters()
+void PairPotdemBase::find_sizes()
 {
-  std::vector<double> mine(atom->ntypes + 1, 0.0);
+  const double none = std::numeric_limits<double>::infinity();
+  const int ntypes = atom->ntypes;
+  std::vector<double> mine(ntypes + 1, 0.0), radius(ntypes + 1, none), mass(ntypes + 1, none);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->radius[i] > 0.0))
       error->one(FLERR,
                  "pair_style {}: atom {} has diameter {}, it must be > 0; use set ... diameter",
                  name(), atom->tag[i], 2.0 * atom->radius[i]);
-    mine[atom->type[i]] = MAX(mine[atom->type[i]], atom->radius[i]);
+    const int type = atom->type[i];
+    mine[type] = MAX(mine[type], atom->radius[i]);
+    radius[type] = MIN(radius[type], atom->radius[i]);
+    mass[type] = MIN(mass[type], atom->rmass[i]);
   }
-  largest_radius.resize(mine.size());
-  MPI_Allreduce(mine.data(), largest_radius.data(), mine.size(), MPI_DOUBLE, MPI_MAX, world);
+  const auto over_ranks = [this](const std::vector<double> &values, std::vector<double> &all,
+                                 MPI_Op op) {
+    all.resize(values.size());
+    MPI_Allreduce(values.data(), all.data(), values.size(), MPI_DOUBLE, op, world);
+  };
+  over_ranks(mine, largest_radius, MPI_MAX);
+  over_ranks(radius, least_radius, MPI_MIN);
+  over_ranks(mass, least_mass, MPI_MIN);
 }
 
 // types without particles have no contacts
@@ -242,17 +258,95 @@ POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
   return {ri, rj, dbar - MAX(0.0, reach(atom->type[i], atom->type[j], dbar) - failed)};
 }
 
+/* ----------------------------------------------------------------------
+   Pairs that the loop has to look at twice: nearer than any pair of these types that is neither collapsed, nor deep, nor too
+   stiff for the step by itself. All others cost nothing.
+------------------------------------------------------------------------- */
+
+void PairPotdemBase::find_alarm(int i, int j)
+{
+  constexpr double rounding = 1e-9;
+  const int pair = at(i, j);
+  double nearest = (1.0 + rounding) * core(pair, {0.5, 0.5, 1.0});
+  if (watch && std::isfinite(least_mass[i]) && std::isfinite(least_mass[j]))
+    nearest = std::max({nearest, PotdemWatch::DEEP,
+                        stiff_from(i, j, largest_radius[i], largest_radius[j]),
+                        stiff_from(i, j, least_radius[i], least_radius[j])});
+  alarm[pair] = alarm[at(j, i)] = nearest;
+}
+
+// distance over dbar from which on inwards two of the lightest particles of these types may be too stiff
+double PairPotdemBase::stiff_from(int i, int j, double ri, double rj) const
+{
+  constexpr int pieces = 64;
+  const POTDEM::Pairing partners{ri, rj, ri + rj};
+  const double inner = core(at(i, j), partners), width = (reach(i, j, ri + rj) - inner) / pieces;
+  const double inverse_masses = (1.0 / least_mass[i] + 1.0 / least_mass[j]) / force->mvv2e;
+  int k = pieces;
+  while (k > 1 &&
+         !watch->is_hasty(evaluate(at(i, j), inner + (k - 0.5) * width, partners).stiffness,
+                          inverse_masses))
+    k--;
+  return (inner + k * width) / (ri + rj);
+}
+
+// a longer step makes more pairs doubtful; room for those that grow little by little
+void PairPotdemBase::reset_dt()
+{
+  if (!watch || update->dt <= watched_step) return;
+  constexpr double ahead = 1.5;
+  const double step = update->dt;
+  watched_step = update->dt = ahead * step;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) find_alarm(i, j);
+  update->dt = step;
+}
+
+bool PairPotdemBase::is_deep(int pair, const POTDEM::Pairing &partners, double r) const
+{
+  return r < PotdemWatch::DEEP * partners.contact && core(pair, partners) == 0.0;
+}
+
+void PairPotdemBase::suspect(Span &span, const PotdemTouch &touch,
+                             const POTDEM::Pairing &partners) const
+{
+  if (span.doubtful_i >= 0) return;
+  const int i = touch.i, j = touch.j, pair = at(atom->type[i], atom->type[j]);
+  if (!is_deep(pair, partners, touch.r) &&
+      !watch->is_hasty_pair(i, j, evaluate(pair, touch.r, partners).stiffness))
+    return;
+  span.doubtful_i = i;
+  span.doubtful_j = j;
+}
+
+void PairPotdemBase::report(const Span &span)
+{
+  if (span.i >= 0) collapsed(span.i, span.j);
+  if (span.doubtful_i < 0) return;
+  const int i = span.doubtful_i, j = span.doubtful_j, pair = at(atom->type[i], atom->type[j]);
+  const auto partners = pairing(i, j);
+  const double r = distance(i, j);
+  if (is_deep(pair, partners, r))
+    watch->deep_pair(i, j, r / partners.dbar());
+  else
+    watch->hasty_pair("The contact of", i, j, evaluate(pair, r, partners).stiffness);
+}
+
+double PairPotdemBase::distance(int i, int j) const
+{
+  double del[3];
+  MathExtra::sub3(atom->x[i], atom->x[j], del);
+  return MathExtra::len3(del);
+}
+
 void PairPotdemBase::collapsed(int i, int j) const
 {
-  const double *a = atom->x[i], *b = atom->x[j];
-  const double r = sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                        (a[2] - b[2]) * (a[2] - b[2]));
   error->one(FLERR,
              "pair_style {}: atoms {} and {} are {} apart on step {}, which is not beyond the "
              "smallest distance {} of this "
              "law (or their positions are not finite); use a smaller timestep, or a law that "
              "pushes harder",
-             name(), atom->tag[i], atom->tag[j], r, update->ntimestep,
+             name(), atom->tag[i], atom->tag[j], distance(i, j), update->ntimestep,
              core(at(atom->type[i], atom->type[j]), pairing(i, j)));
 }
 

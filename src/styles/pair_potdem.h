@@ -40,6 +40,7 @@ class PairPotdemBase : public Pair {
   void init_style() override;
   void settings(int, char **) override;
   double init_one(int, int) override;
+  void reset_dt() override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;
@@ -58,10 +59,14 @@ class PairPotdemBase : public Pair {
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types
   std::vector<double> largest_radius;        // per type
-  bool sliding, viscous;                     // any friction, any viscous part at all
+  std::vector<double> least_radius, least_mass;
+  std::vector<double>
+      alarm;    // per pair of types: distance over dbar below which a pair may have collapsed or be doubtful
+  bool sliding, viscous;    // any friction, any viscous part at all
   int rotation;
   class PotdemLedger *ledger;           // null: no compute potdem/energy
   class PotdemBondStore *bond_store;    // null: no bonds in this simulation
+  class PotdemWatch *watch;             // null: nothing to warn of
 
   // the columns that single() adds, for compute pair/local
   enum { OVERLAP, STIFFNESS, VISCOUS, FRICTION, NEXTRA = FRICTION + 4 };
@@ -79,8 +84,9 @@ class PairPotdemBase : public Pair {
   struct Span {
     int from, to;
     double **f, **torque;
-    class ThrData *thread;    // null: no threads
-    int i = -1, j = -1;       // a pair that has collapsed
+    class ThrData *thread;                   // null: no threads
+    int i = -1, j = -1;                      // a pair that has collapsed
+    int doubtful_i = -1, doubtful_j = -1;    // one too deep or too stiff for the step
   };
 
   PotdemMotion motion() const;
@@ -88,7 +94,9 @@ class PairPotdemBase : public Pair {
   void note_torque(const PotdemTouch &, const double *turn);
   virtual void tally(const Span &, const PotdemTouch &, double energy, const double *f);
   [[noreturn]] void cannot_mix(int i, int j, const std::string &coefficient) const;
-  [[noreturn]] void collapsed(int i, int j) const;
+  void suspect(Span &, const PotdemTouch &, const POTDEM::Pairing &) const;
+  void report(const Span &);
+  void find_alarm(int i, int j);
 
   // the style's part
   virtual double with_rate(int pair, double elastic, double r, const POTDEM::Pairing &,
@@ -111,6 +119,8 @@ class PairPotdemBase : public Pair {
   virtual std::size_t coeff_size() const = 0;
 
  private:
+  double watched_step;    // for which the alarms are set
+
   // a coefficient of all pairs of types as fix adapt wants it
   struct Published {
     std::string name;
@@ -118,7 +128,11 @@ class PairPotdemBase : public Pair {
   };
   std::vector<Published> published;
 
-  void find_diameters();
+  void find_sizes();
+  [[noreturn]] void collapsed(int i, int j) const;
+  double distance(int i, int j) const;
+  bool is_deep(int pair, const POTDEM::Pairing &, double r) const;
+  double stiff_from(int i, int j, double ri, double rj) const;
   double without_particles() const;
   void find_needs();
   double closest(const PotdemMotion &, const PotdemTouch &, double most, double ahead) const;

@@ -15,6 +15,8 @@ void PairPotdemLJ::mix(int i, int j)
 {
   const auto &a = laws[at(i, i)], &b = laws[at(j, j)];
   if (a.n != b.n) cannot_mix(i, j, "n");
-  laws[at(i, j)] = {POTDEM::series_modulus(a.K0, b.K0), 0.5 * (a.R + b.R), a.n,
-                    0.5 * (a.alpha + b.alpha), 0.5 * (a.cut + b.cut)};
+  // both must be bounded
+  const double least = a.least > 0.0 && b.least > 0.0 ? 0.5 * (a.least + b.least) : 0.0;
+  laws[at(i, j)] = {POTDEM::series_modulus(a.K0, b.K0), 0.5 * (a.R + b.R),     a.n,
+                    0.5 * (a.alpha + b.alpha),          0.5 * (a.cut + b.cut), least};
 }

@@ -44,8 +44,7 @@ template <class Style> void PairPotdemOMP<Style>::compute(int eflag, int vflag)
     thread->timer(Timer::PAIR);
     reduce_thr(this, eflag, vflag, thread);
   }
-  for (const auto &span : spans)
-    if (span.i >= 0) this->collapsed(span.i, span.j);
+  for (const auto &span : spans) this->report(span);
 }
 
 template <class Style>

@@ -118,6 +118,13 @@ double PotdemInput::above(const std::string &name, double bound)
   return value;
 }
 
+double PotdemInput::between(const std::string &name, double low, double high)
+{
+  const double value = number(name);
+  if (value <= low || value >= high) range(name, value, fmt::format("> {} and < {}", low, high));
+  return value;
+}
+
 double PotdemInput::fraction(const std::string &name)
 {
   const double value = number(name);

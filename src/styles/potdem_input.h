@@ -57,10 +57,11 @@ class PotdemInput : protected Pointers {
   double positive(const std::string &name);
   double nonnegative(const std::string &name);
   double above(const std::string &name, double bound);
-  double fraction(const std::string &name);        // 0 <= value < 1
-  double poisson(const std::string &name);         // -1 < nu <= 0.5
-  int whole(const std::string &name, int most);    // 1 to most
-  bool logical(const std::string &name);           // yes or no
+  double between(const std::string &name, double low, double high);    // neither of them
+  double fraction(const std::string &name);                            // 0 <= value < 1
+  double poisson(const std::string &name);                             // -1 < nu <= 0.5
+  int whole(const std::string &name, int most);                        // 1 to most
+  bool logical(const std::string &name);                               // yes or no
   int bond_type();
   bool next_is(const std::string &word);    // consume the next argument if it is this word
   void type_ranges(int &ilo, int &ihi, int &jlo, int &jhi);    // I J of pair_coeff

@@ -21,6 +21,11 @@ namespace {
       if (name == one.name) return one.value;
     return nullptr;
   }
+
+  std::string linear_text(double least)
+  {
+    return least > 0.0 ? fmt::format(" linear {:.17g}", least) : "";
+  }
 }    // namespace
 
 /* ---------------------------------------------------------------------- */
@@ -64,15 +69,19 @@ void read_law(PotdemInput &input, POTDEM::ShiftedLJ &law)
 
 bool read_option(PotdemInput &input, POTDEM::ShiftedLJ &law)
 {
-  if (!input.next_is("cut")) return false;
-  law.cut = input.positive("cut s_c");
+  if (input.next_is("linear"))
+    law.least = input.between("linear s_min", 0.0, law.R);
+  else if (input.next_is("cut"))
+    law.cut = input.positive("cut s_c");
+  else
+    return false;
   return true;
 }
 
 std::string law_text(const POTDEM::ShiftedLJ &law)
 {
-  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} cut {:.17g}", law.K0, law.R, law.n, law.alpha,
-                     law.cut);
+  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} cut {:.17g}{}", law.K0, law.R, law.n,
+                     law.alpha, law.cut, linear_text(law.least));
 }
 
 double *law_coefficient(POTDEM::ShiftedLJ &law, const std::string &name)
@@ -95,14 +104,19 @@ void read_law(PotdemInput &input, POTDEM::RegularisedGranular &law)
 
 bool read_option(PotdemInput &input, POTDEM::RegularisedGranular &law)
 {
-  if (!input.next_is("cut")) return false;
-  law.cut = input.above("cut x", 1.0);
+  if (input.next_is("linear"))
+    law.least = input.between("linear x_min", 0.0, 1.0);
+  else if (input.next_is("cut"))
+    law.cut = input.above("cut x", 1.0);
+  else
+    return false;
   return true;
 }
 
 std::string law_text(const POTDEM::RegularisedGranular &law)
 {
-  return fmt::format("{:.17g} {:.17g} {:.17g} cut {:.17g}", law.K0, law.n, law.alpha, law.cut);
+  return fmt::format("{:.17g} {:.17g} {:.17g} cut {:.17g}{}", law.K0, law.n, law.alpha, law.cut,
+                     linear_text(law.least));
 }
 
 double *law_coefficient(POTDEM::RegularisedGranular &law, const std::string &name)

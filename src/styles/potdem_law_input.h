@@ -30,24 +30,24 @@ constexpr const char *option_names(const POTDEM::TrussContact &)
   return "penetration";
 }
 
-// K0 R n alpha  [cut s_c]
+// K0 R n alpha  [cut s_c] [linear s_min]
 void read_law(PotdemInput &, POTDEM::ShiftedLJ &);
 bool read_option(PotdemInput &, POTDEM::ShiftedLJ &);
 std::string law_text(const POTDEM::ShiftedLJ &);
 double *law_coefficient(POTDEM::ShiftedLJ &, const std::string &name);
 constexpr const char *option_names(const POTDEM::ShiftedLJ &)
 {
-  return "cut";
+  return "cut, linear";
 }
 
-// K0 n alpha  [cut x]
+// K0 n alpha  [cut x] [linear x_min]
 void read_law(PotdemInput &, POTDEM::RegularisedGranular &);
 bool read_option(PotdemInput &, POTDEM::RegularisedGranular &);
 std::string law_text(const POTDEM::RegularisedGranular &);
 double *law_coefficient(POTDEM::RegularisedGranular &, const std::string &name);
 constexpr const char *option_names(const POTDEM::RegularisedGranular &)
 {
-  return "cut";
+  return "cut, linear";
 }
 
 // E nu  [viscous H]

@@ -82,6 +82,7 @@ template <class Law> double PairPotdem<Law>::init_one(int i, int j)
   const double cutoff = PairPotdemBase::init_one(i, j);
   laws[at(j, i)] = laws[at(i, j)];
   kernels[at(i, j)] = kernels[at(j, i)] = laws[at(i, j)].kernel(offset_flag != 0);
+  find_alarm(i, j);
   return cutoff;
 }
 
@@ -98,7 +99,7 @@ template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   Span all{0, list->inum, atom->f, atom->torque, nullptr};
   work(all);
-  if (all.i >= 0) collapsed(all.i, all.j);
+  report(all);
   if (vflag_fdotr) virial_fdotr_compute();
 }
 
@@ -154,10 +155,13 @@ void PairPotdem<Law>::loop(Span &span)
 
       const double r = touch.r = sqrt(r2);
       const auto partners = moved ? pairing(i, j) : POTDEM::Pairing{ri, rj, ri + rj};
-      if (!(r > kernels[pair].core(partners))) {    // true for NaN as well
-        span.i = i;
-        span.j = j;
-        return;
+      if (!(r > alarm[pair] * (ri + rj))) {    // true for NaN as well
+        if (!(r > kernels[pair].core(partners))) {
+          span.i = i;
+          span.j = j;
+          return;
+        }
+        if (watch) suspect(span, touch, partners);
       }
       const auto law = kernels[pair].evaluate(r, partners);
       double normal = law.force;

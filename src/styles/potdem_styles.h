@@ -22,6 +22,7 @@ FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
 FixStyle(POTDEM_LEDGER,PotdemLedger);
+FixStyle(POTDEM_WATCH,PotdemWatch);
 #elif defined(COMPUTE_CLASS)
 ComputeStyle(potdem/energy,ComputePotdemEnergy);
 ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
@@ -51,5 +52,6 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "potdem_bonds.h"
 #include "potdem_ledger.h"
 #include "potdem_material.h"
+#include "potdem_watch.h"
 #endif
 #endif

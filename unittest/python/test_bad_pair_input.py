@@ -43,7 +43,7 @@ CASES = {
     "lj alpha missing": (coeff("lj", "100 0.2 3"), ["pair_coeff potdem/lj", "missing"]),
     "lj cut zero": (coeff("lj", "100 0.2 3 0.2 cut 0"), ["cut s_c = 0", "> 0"]),
     "lj cut missing": (coeff("lj", "100 0.2 3 0.2 cut"), ["pair_coeff potdem/lj", "missing"]),
-    "lj keyword": (coeff("lj", "100 0.2 3 0.2 viscous 1"), ["'viscous'", "cut or friction"]),
+    "lj keyword": (coeff("lj", "100 0.2 3 0.2 viscous 1"), ["'viscous'", "cut, linear or friction"]),
     "lj friction negative": (coeff("lj", "100 0.2 3 0.2 friction -1 auto"), ["friction mu = -1", ">= 0"]),
     "lj different n": (two_materials("lj", "100 0.2 3 0.2", "100 0.2 4 0.2"),
                        ["pair_style potdem/lj", "types 1 and 2", "different n", "pair_coeff 1 2"]),
@@ -56,7 +56,7 @@ CASES = {
     "granular alpha missing": (coeff("granular", "100 3"), ["pair_coeff potdem/granular", "missing"]),
     "granular cut one": (coeff("granular", "100 3 0.2 cut 1"), ["cut x = 1", "> 1"]),
     "granular cut a word": (coeff("granular", "100 3 0.2 cut far"), ["cut x", "'far'"]),
-    "granular keyword": (coeff("granular", "100 3 0.2 penetration 2"), ["'penetration'", "cut or friction"]),
+    "granular keyword": (coeff("granular", "100 3 0.2 penetration 2"), ["'penetration'", "cut, linear or friction"]),
     "granular different n": (two_materials("granular", "100 3 0.2", "100 3.5 0.2"),
                              ["pair_style potdem/granular", "types 1 and 2", "different n", "pair_coeff 1 2"]),
     # potdem/hertz

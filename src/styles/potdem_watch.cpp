@@ -1,0 +1,203 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "potdem_watch.h"
+
+#include "compute_potdem_timestep.h"
+#include "potdem_input.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static constexpr char WATCH_ID[] = "POTDEM_WATCH";
+static constexpr int EVERY = 1000;    // steps between two checks of the critical step
+static constexpr double ROUNDING = 1e-9;
+static constexpr double FEWEST_STEPS = 4.0;    // in half a period of one spring
+
+/* ---------------------------------------------------------------------- */
+
+PotdemWatch *PotdemWatch::ensure(LAMMPS *lmp)
+{
+  auto *found = lmp->modify->get_fix_by_id(WATCH_ID);
+  if (!found) found = lmp->modify->add_fix(fmt::format("{} all POTDEM_WATCH", WATCH_ID));
+  const bool integrates = lmp->update->whichflag == 1 && lmp->update->nsteps > 0;
+  return integrates ? dynamic_cast<PotdemWatch *>(found) : nullptr;
+}
+
+PotdemWatch::PotdemWatch(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), moving(0)
+{
+  nevery = EVERY;
+  PotdemWords words(fmt::format("{} all potdem/timestep", WATCH_ID));
+  critical = std::make_unique<ComputePotdemTimestep>(lmp, words.narg(), words.arg());
+}
+
+PotdemWatch::~PotdemWatch() = default;
+
+int PotdemWatch::setmask()
+{
+  return POST_NEIGHBOR | END_OF_STEP;
+}
+
+void PotdemWatch::init()
+{
+  for (auto &text : said) text.clear();
+  moving = find_moving();
+  if (!atom->rmass_flag) return;
+  critical->groupbit = moving;
+  critical->find_styles();
+}
+
+// rigid bodies are heavier than their particles, and the others are moved whatever the forces
+int PotdemWatch::find_moving() const
+{
+  int bits = 0;
+  for (const auto &fix : modify->get_fix_list())
+    if (fix->time_integrate && !fix->rigid_flag && !utils::strmatch(fix->style, "^move") &&
+        !utils::strmatch(fix->style, "^nve/noforce"))
+      bits |= fix->groupbit;
+  return bits;
+}
+
+void PotdemWatch::setup(int /*vflag*/)
+{
+  check_critical();
+}
+
+void PotdemWatch::end_of_step()
+{
+  check_critical();
+}
+
+void PotdemWatch::check_critical()
+{
+  if (!said[CRITICAL].empty() || moving == 0 || update->nsteps == 0 || !atom->rmass_flag) return;
+  const double longest = critical->compute_scalar();
+  if (!(update->dt > longest * (1.0 + ROUNDING))) return;
+  const auto text = fmt::format(
+      "The timestep {:g} is longer than the critical step {:g} of the bonds, contacts and walls on "
+      "step {} (a bound; atom {} sets it), the run may be unstable; use a shorter timestep, or fix "
+      "potdem/timestep",
+      update->dt, longest, update->ntimestep, critical->particle());
+  said[CRITICAL] = text;
+  if (comm->me == 0) error->warning(FLERR, text);
+}
+
+// a particle that passes its own radius in a step may pass others unseen. Lists are rebuilt when particles have
+// moved far, so this is the place to look
+void PotdemWatch::post_neighbor()
+{
+  if (!said[JUMP].empty() || moving == 0 || !atom->radius_flag) return;
+  const double step2 = update->dt * update->dt;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = atom->v[i], r = atom->radius[i];
+    const double moved2 = step2 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(moved2 > r * r) || !(atom->mask[i] & moving)) continue;
+    say(JUMP,
+        fmt::format("Atom {} moves {:.3g} times its radius in one timestep on step {}, contacts "
+                    "may be missed; use "
+                    "a shorter timestep, or find out what makes it so fast",
+                    atom->tag[i], std::sqrt(moved2) / r, update->ntimestep));
+    return;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PotdemWatch::inverse_mass(int i) const
+{
+  return atom->mask[i] & moving ? 1.0 / (force->mvv2e * atom->rmass[i]) : 0.0;
+}
+
+// in half a period
+double PotdemWatch::steps_of(double stiffness, double inverse_masses) const
+{
+  return M_PI / (update->dt * std::sqrt(stiffness * inverse_masses));
+}
+
+bool PotdemWatch::is_hasty(double stiffness, double inverse_masses) const
+{
+  constexpr double limit = (M_PI / FEWEST_STEPS) * (M_PI / FEWEST_STEPS);
+  return stiffness * inverse_masses * update->dt * update->dt > limit;
+}
+
+void PotdemWatch::hasty_pair(const std::string &what, int i, int j, double stiffness)
+{
+  say(HASTY,
+      fmt::format("{} atoms {} and {} on step {} is so stiff that half a period takes {:.2g} "
+                  "timesteps, too few for "
+                  "its energy; use a shorter timestep, or fix potdem/timestep",
+                  what, atom->tag[i], atom->tag[j], update->ntimestep,
+                  steps_of(stiffness, inverse_mass(i) + inverse_mass(j))));
+}
+
+void PotdemWatch::hasty_wall(const std::string &wall, int i, double stiffness)
+{
+  say(HASTY,
+      fmt::format("The contact of atom {} with {} on step {} is so stiff that half a period takes "
+                  "{:.2g} timesteps, "
+                  "too few for its energy; use a shorter timestep, or fix potdem/timestep",
+                  atom->tag[i], wall, update->ntimestep, steps_of(stiffness, inverse_mass(i))));
+}
+
+void PotdemWatch::deep_pair(int i, int j, double fraction)
+{
+  say(DEPTH,
+      fmt::format("Atoms {} and {} are {:.2g} of their mean diameter apart on step {}, too deep in "
+                  "each other for a law "
+                  "of contact; use a shorter timestep, a law that pushes harder, or start them "
+                  "further apart",
+                  atom->tag[i], atom->tag[j], fraction, update->ntimestep));
+}
+
+void PotdemWatch::deep_wall(const std::string &wall, int i, double fraction)
+{
+  say(DEPTH,
+      fmt::format("The centre of atom {} is {:.2g} of its radius from {} on step {}, too deep for "
+                  "a law of contact; use "
+                  "a shorter timestep, a stiffer wall, or start it further away",
+                  atom->tag[i], fraction, wall, update->ntimestep));
+}
+
+void PotdemWatch::crushed(int i, int j, double fraction)
+{
+  say(CRUSH,
+      fmt::format("The bond between atoms {} and {} is crushed to {:.2g} of its length on step {}, "
+                  "where a truss has "
+                  "lost its stiffness; use 'penetration' in bond_coeff, a compressive strength, or "
+                  "a shorter timestep",
+                  atom->tag[i], atom->tag[j], fraction, update->ntimestep));
+}
+
+void PotdemWatch::say(Reason reason, const std::string &text)
+{
+  if (!said[reason].empty()) return;
+  said[reason] = text;
+  error->warning(FLERR, text);
+}
+
+// the first rank writes the log: it repeats what only others have seen
+void PotdemWatch::post_run()
+{
+  for (auto &text : said) {
+    int rank = text.empty() ? comm->nprocs : comm->me, first;
+    MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
+    if (first == 0 || first == comm->nprocs) continue;
+    int length = static_cast<int>(text.size());
+    MPI_Bcast(&length, 1, MPI_INT, first, world);
+    std::string copy(text);
+    copy.resize(length);
+    MPI_Bcast(&copy[0], length, MPI_CHAR, first, world);
+    if (comm->me == 0) error->warning(FLERR, copy);
+  }
+}

@@ -1,0 +1,68 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Says so when a run is going wrong, once for each reason and run. The critical step is checked when a run begins and then now
+   and then; what happens between is seen where it costs nothing: the loops already look for pairs that are too
+   close, and a neighbour list is rebuilt when particles have moved far. Created by the pair styles, the bond style and the
+   walls, one per simulation; not active in a minimization or in `run 0`. */
+
+#ifndef LMP_POTDEM_WATCH_H
+#define LMP_POTDEM_WATCH_H
+
+#include "fix.h"
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace LAMMPS_NS {
+
+class PotdemWatch : public Fix {
+ public:
+  static constexpr double DEEP = 0.5;       // distance over that of first contact
+  static constexpr double CRUSHED = 0.2;    // length of a bond over its reference
+
+  static PotdemWatch *ensure(LAMMPS *);    // null where it is not active
+
+  PotdemWatch(LAMMPS *, int, char **);
+  ~PotdemWatch() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_neighbor() override;
+  void end_of_step() override;
+  void post_run() override;
+
+  // is this spring alone too stiff for the step, between particles of this sum of inverse masses?
+  bool is_hasty(double stiffness, double inverse_masses) const;
+  bool is_hasty_pair(int i, int j, double stiffness) const
+  {
+    return is_hasty(stiffness, inverse_mass(i) + inverse_mass(j));
+  }
+  bool is_hasty_wall(int i, double stiffness) const { return is_hasty(stiffness, inverse_mass(i)); }
+
+  // warnings
+  void hasty_pair(const std::string &what, int i, int j, double stiffness);
+  void hasty_wall(const std::string &wall, int i, double stiffness);
+  void deep_pair(int i, int j, double fraction);
+  void deep_wall(const std::string &wall, int i, double fraction);
+  void crushed(int i, int j, double fraction);
+
+ private:
+  enum Reason { CRITICAL, HASTY, DEPTH, CRUSH, JUMP, NREASONS };
+  std::array<std::string, NREASONS> said;    // on this rank
+  std::unique_ptr<class ComputePotdemTimestep> critical;
+  int moving;    // group bits of what a time integration moves by forces
+
+  void say(Reason, const std::string &text);
+  void check_critical();
+  int find_moving() const;
+  double inverse_mass(int i) const;    // 0: held
+  double steps_of(double stiffness, double inverse_masses) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
