@@ -270,6 +270,8 @@ void BondPotdemTruss::pack()
       bonds.inverse_length2[k] = 1.0 / (re * re);
       bonds.half_modulus[k] = 0.5 * modulus;
       if (j >= atom->nlocal) check_reach(i, j, re);
+      if (watch && watch->is_hasty_pair(i, j, modulus / re))
+        watch->hasty_pair("The bond of", i, j, modulus / re);
       if (failing == BY_BOND) bonds.strength[k] = scatter[type].factor(atom->tag[i], atom->tag[j]);
       if (damped) {
         const double mi = atom->rmass[i], mj = atom->rmass[j];

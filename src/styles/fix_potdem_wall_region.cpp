@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -210,6 +211,8 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   std::fill(mine, mine + 7, 0.0);
   summed = false;
   surface.follow();
+  too_stiff = watch ? watch->stiffest_over_mass() : std::numeric_limits<double>::infinity();
+  too_near = watch ? PotdemWatch::DEEP : 0.0;
   std::visit(
       [this](const auto &wall) {
         push_with<MOTION>(wall);
@@ -278,7 +281,7 @@ bool FixPotdemWallRegion::press(int i, const PotdemWallSurface::Face &face, cons
                "distance {} of the law; use a smaller timestep or a law that pushes harder",
                id, atom->tag[i], r, update->ntimestep, law.core(ri));
   const auto at = law.evaluate(r, ri);
-  if (watch && (r < PotdemWatch::DEEP * ri || watch->is_hasty_wall(i, at.stiffness)))
+  if (at.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
     suspect(i, law.core(ri) > 0.0 ? 1.0 : r / ri, at.stiffness);
   MathExtra::copy3(face.n, touch.n);
   MathExtra::scale3(-r, face.n, touch.arm);

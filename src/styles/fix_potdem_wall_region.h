@@ -50,6 +50,7 @@ class FixPotdemWallRegion : public Fix {
   PotdemWallSurface surface;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
   class PotdemWatch *watch;      // null: nothing to warn of
+  double too_stiff, too_near;    // stiffness over mass, distance over radius: to be looked at twice
   std::variant<POTDEM::LayeredHertzWall, POTDEM::LawWall<POTDEM::ShiftedLJ>,
                POTDEM::LawWall<POTDEM::RegularisedGranular>, POTDEM::LawWall<POTDEM::TrussContact>>
       law;

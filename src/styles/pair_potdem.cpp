@@ -307,13 +307,14 @@ bool PairPotdemBase::is_deep(int pair, const POTDEM::Pairing &partners, double r
   return r < PotdemWatch::DEEP * partners.contact && core(pair, partners) == 0.0;
 }
 
-void PairPotdemBase::suspect(Span &span, const PotdemTouch &touch,
-                             const POTDEM::Pairing &partners) const
+void PairPotdemBase::suspect(Span &span, int i, int j) const
 {
   if (span.doubtful_i >= 0) return;
-  const int i = touch.i, j = touch.j, pair = at(atom->type[i], atom->type[j]);
-  if (!is_deep(pair, partners, touch.r) &&
-      !watch->is_hasty_pair(i, j, evaluate(pair, touch.r, partners).stiffness))
+  const int pair = at(atom->type[i], atom->type[j]);
+  const auto partners = pairing(i, j);
+  const double r = distance(i, j);
+  if (!is_deep(pair, partners, r) &&
+      !watch->is_hasty_pair(i, j, evaluate(pair, r, partners).stiffness))
     return;
   span.doubtful_i = i;
   span.doubtful_j = j;

@@ -94,7 +94,7 @@ class PairPotdemBase : public Pair {
   void note_torque(const PotdemTouch &, const double *turn);
   virtual void tally(const Span &, const PotdemTouch &, double energy, const double *f);
   [[noreturn]] void cannot_mix(int i, int j, const std::string &coefficient) const;
-  void suspect(Span &, const PotdemTouch &, const POTDEM::Pairing &) const;
+  void suspect(Span &, int i, int j) const;    // no address of what the loop keeps in registers
   void report(const Span &);
   void find_alarm(int i, int j);
 

@@ -134,6 +134,7 @@ void PairPotdem<Law>::loop(Span &span)
   const auto *const x = (const double(*)[3]) atom->x[0];
   auto *const f = (double(*)[3]) span.f[0];
   const double *const radius = atom->radius, *const special = force->special_lj;
+  const double *const nearest = alarm.data();
   const int *const type = atom->type;
   const int nlocal = atom->nlocal, newton = force->newton_pair;
   const bool moved = bond_store && bond_store->overlapping();
@@ -153,15 +154,15 @@ void PairPotdem<Law>::loop(Span &span)
       const double reach = laws[pair].reach(ri + rj);
       if (r2 >= reach * reach || weight == 0.0) continue;
 
-      const double r = touch.r = sqrt(r2);
+      const double r = touch.r = sqrt(r2), near = nearest[pair] * (ri + rj);
       const auto partners = moved ? pairing(i, j) : POTDEM::Pairing{ri, rj, ri + rj};
-      if (!(r > alarm[pair] * (ri + rj))) {    // true for NaN as well
+      if (!(r2 > near * near)) {    // true for NaN as well
         if (!(r > kernels[pair].core(partners))) {
           span.i = i;
           span.j = j;
           return;
         }
-        if (watch) suspect(span, touch, partners);
+        if (watch) suspect(span, i, j);
       }
       const auto law = kernels[pair].evaluate(r, partners);
       double normal = law.force;

@@ -23,7 +23,8 @@ using namespace FixConst;
 static constexpr char WATCH_ID[] = "POTDEM_WATCH";
 static constexpr int EVERY = 1000;    // steps between two checks of the critical step
 static constexpr double ROUNDING = 1e-9;
-static constexpr double FEWEST_STEPS = 4.0;    // in half a period of one spring
+// in half a period of one spring: the energy then errs by up to about (pi/6)^2/4 of what it exchanges
+static constexpr double FEWEST_STEPS = 6.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -38,6 +39,8 @@ PotdemWatch *PotdemWatch::ensure(LAMMPS *lmp)
 PotdemWatch::PotdemWatch(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), moving(0)
 {
   nevery = EVERY;
+  comm_reverse =
+      PotdemStiffness::WIDTH;    // LAMMPS does not know the compute, and makes room for this fix
   PotdemWords words(fmt::format("{} all potdem/timestep", WATCH_ID));
   critical = std::make_unique<ComputePotdemTimestep>(lmp, words.narg(), words.arg());
 }
@@ -125,10 +128,15 @@ double PotdemWatch::steps_of(double stiffness, double inverse_masses) const
   return M_PI / (update->dt * std::sqrt(stiffness * inverse_masses));
 }
 
+double PotdemWatch::stiffest_over_mass() const
+{
+  const double frequency = M_PI / (FEWEST_STEPS * update->dt);
+  return force->mvv2e * frequency * frequency;
+}
+
 bool PotdemWatch::is_hasty(double stiffness, double inverse_masses) const
 {
-  constexpr double limit = (M_PI / FEWEST_STEPS) * (M_PI / FEWEST_STEPS);
-  return stiffness * inverse_masses * update->dt * update->dt > limit;
+  return force->mvv2e * stiffness * inverse_masses > stiffest_over_mass();
 }
 
 void PotdemWatch::hasty_pair(const std::string &what, int i, int j, double stiffness)

@@ -35,6 +35,8 @@ class PotdemWatch : public Fix {
   void end_of_step() override;
   void post_run() override;
 
+  double stiffest_over_mass() const;    // of one spring between a particle and what is held
+
   // is this spring alone too stiff for the step, between particles of this sum of inverse masses?
   bool is_hasty(double stiffness, double inverse_masses) const;
   bool is_hasty_pair(int i, int j, double stiffness) const

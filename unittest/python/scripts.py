@@ -8,10 +8,11 @@ import numpy as np
 ALL_DIGITS = "%.17g"
 
 
-def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3):
-    """an empty box with its corner at -size/2, size a number or three"""
+def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3,
+        centre=0.0):
+    """an empty box, size a number or three, its centre at a place on the diagonal"""
     half = 0.5 * np.broadcast_to(np.asarray(size, dtype=float), 3)
-    sides = " ".join(f"{-h:.17g} {h:.17g}" for h in half)
+    sides = " ".join(f"{centre - h:.17g} {centre + h:.17g}" for h in half)
     return "\n".join([
         f"units {units}",
         f"newton {newton}" if newton else "",
