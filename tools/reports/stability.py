@@ -184,7 +184,8 @@ def main():
     cases = [case for case in stability_cases.cases() if choice.only in f"{case.group}: {case.name}"]
     outcomes = run_all(cases, folder, choice.short)
     if not choice.only:
-        stability_page.write(writing.folder(choice.short), outcomes, stability_page.more(folder, choice.short), choice.short)
+        stability_page.write(writing.folder(choice.short), outcomes, stability_page.more_rows(folder, choice.short), choice.short,
+                             LEDGER_BOUND)
     if not choice.keep:
         shutil.rmtree(folder)
     return sum(outcome.verdict == "SILENT NONSENSE" for outcome in outcomes) > 0
