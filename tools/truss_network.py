@@ -70,41 +70,49 @@ def packing(depth, length, spread=0.0, fraction=0.62, seed=1):
     return Body(x, d, d**3 / (d**3).sum() * size.prod(), size)
 
 
-class Network:
-    """displacements under forces, `held` particles fixed; Cholesky factor of the banded stiffness matrix"""
+def quarter_fields(x):
+    """all displacement fields of a body with the mirror planes y = 0 and z = 0 that bend it along z: even in y, odd in z
+    (u_z even). One column for each unknown, which is that of a particle with y, z >= 0"""
+    folded = np.column_stack([x[:, 0], np.abs(x[:, 1:])])
+    _, first, place = np.unique(np.round(folded, 6), axis=0, return_index=True, return_inverse=True)
+    side = np.sign(np.round(x, 6))
+    value = np.column_stack([side[:, 2], side[:, 1] * side[:, 2], np.ones(len(x))])
+    column = 3 * first[place.ravel()][:, None] + np.arange(3)
+    return scipy.sparse.csc_matrix((value.ravel(), (np.arange(3 * len(x)), column.ravel())),
+                                   (3 * len(x), 3 * len(x)))
 
-    def __init__(self, x, pairs, area, held):
-        order = np.argsort(x[:, 0], kind="stable")
-        self.free = order[~held[order]]
-        place = np.full(len(x), -1)
-        place[self.free] = np.arange(len(self.free))
+
+class Network:
+    """displacements under forces, `held` particles fixed; Cholesky factor of the banded stiffness matrix. fields: columns of
+    which a displacement is made, one for each component of each particle or none (all there are, if not given)"""
+
+    def __init__(self, x, pairs, area, held, fields=None):
         line = x[pairs[:, 1]] - x[pairs[:, 0]]
         r = np.linalg.norm(line, axis=1)
         n = line / r[:, None]
-        block = (area / r)[:, None, None] * n[:, :, None] * n[:, None, :]
-        i, j = place[pairs[:, 0]], place[pairs[:, 1]]
-        both = (i >= 0) & (j >= 0)
-        low, high = np.minimum(i, j)[both], np.maximum(i, j)[both]
-        banded = np.zeros((3 * (high - low).max() + 3, 3 * len(self.free)))
-        for a in range(3):
-            for b in range(3):
-                if a >= b:
-                    for end in (i, j):
-                        free = end >= 0
-                        np.add.at(banded, (np.full(free.sum(), a - b), 3 * end[free] + b), block[free, a, b])
-                np.add.at(banded, (3 * (high - low) + a - b, 3 * low + b), -block[both, a, b])
-        self.count = len(x)
+        columns = 3 * pairs[:, :, None] + np.arange(3)
+        rows = np.broadcast_to(np.arange(len(pairs))[:, None, None], columns.shape)
+        stretch = scipy.sparse.csr_matrix((np.stack([-n, n], 1).ravel(), (rows.ravel(), columns.ravel())), (len(pairs), 3 * len(x)))
+        fields = scipy.sparse.identity(3 * len(x), format="csc") if fields is None else fields
+        order = np.argsort(x[:, 0], kind="stable")
+        order = (3 * order[~held[order], None] + np.arange(3)).ravel()
+        present = order[np.asarray(abs(fields).sum(axis=0)).ravel()[order] > 0]
+        self.fields = fields[:, present]
+        reduced = stretch @ self.fields
+        matrix = (reduced.T @ scipy.sparse.diags(area / r) @ reduced).tocoo()
+        lower = matrix.row >= matrix.col
+        row, column, value = matrix.row[lower], matrix.col[lower], matrix.data[lower]
+        banded = np.zeros(((row - column).max() + 1, len(present)))
+        banded[row - column, column] = value
         self.factor = cholesky_banded(banded, lower=True, overwrite_ab=True)
 
     def displacement(self, force):
-        u = np.zeros((self.count, 3))
-        u[self.free] = cho_solve_banded((self.factor, True), force[self.free].ravel()).reshape(-1, 3)
-        return u
+        return (self.fields @ cho_solve_banded((self.factor, True), self.fields.T @ force.ravel())).reshape(-1, 3)
 
     def first_frequency(self, mass, axis):
         """circular; inverse iteration from a shape along the axis"""
-        v = np.zeros((self.count, 3))
-        v[self.free, axis] = np.arange(len(self.free))
+        v = np.zeros((len(mass), 3))
+        v[:, axis] = (self.fields @ np.arange(self.fields.shape[1])).reshape(-1, 3)[:, axis]
         for _ in range(40):
             w = self.displacement(mass[:, None] * v)
             square = (v * mass[:, None] * v).sum() / (v * mass[:, None] * w).sum()

@@ -136,7 +136,7 @@ class BodyArea {
   void iterate(int n);
   void add_missing_energy(const std::vector<Matrix6> &wanted);
 
-  bool bulk_moments(std::array<Matrix6, 6> &sixth);
+  bool bulk_moments(std::array<Matrix6, 6> &sixth, int ends_inside);
   std::vector<double> surface_layer();
   Vector3 separation(const Half &) const;
   double closeness(int i, const Half &) const;
@@ -173,7 +173,8 @@ inline BodyArea::Outcome BodyArea::solve()
   find_step();
   iterate(FIRST_ITERATIONS);
   std::array<Matrix6, 6> sixth{};
-  if (!bulk_moments(sixth)) return MECHANISM;
+  // three particles through the depth: no bond has both ends inside
+  if (!bulk_moments(sixth, 2) && !bulk_moments(sixth, 1)) return MECHANISM;
   correct_target(sixth);
   const auto wanted = target;
   for (int round = 0; round < ROUNDS; round++) {
@@ -759,13 +760,13 @@ inline void BodyArea::add_missing_energy(const std::vector<Matrix6> &wanted)
    fourth moments, the stiffness itself, leave some strain without resistance: the network is a mechanism.
 ------------------------------------------------------------------------- */
 
-inline bool BodyArea::bulk_moments(std::array<Matrix6, 6> &sixth)
+inline bool BodyArea::bulk_moments(std::array<Matrix6, 6> &sixth, int ends_inside)
 {
   static constexpr double SOFT = 0.02;    // least stiffness over E
   std::array<Matrix6, 7> total{};         // the last one: fourth moments
   for (std::size_t b = 0; b < bonds.size(); b++) {
     const Bond &bond = bonds[b];
-    if (!bond.counted || open[bond.low] > 0.0 || open[bond.high] > 0.0) continue;
+    if (!bond.counted || (open[bond.low] == 0.0) + (open[bond.high] == 0.0) < ends_inside) continue;
     const Vector3 n = {bond.n[0], bond.n[1], bond.n[2]};
     const Vector6 m = mandel(n, n);
     const double work = 0.5 * x[b] * start[b] * bond.length;
