@@ -1,0 +1,112 @@
+#!/usr/bin/python3
+"""Strength of the bars over f_t: measured, and of the bonds' directions.
+
+  strengths.py [LOG ...]             prints the tables of the README (reference logs if none are named)
+  strengths.py --draw PICTURE.png    stress against strain of all
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "harness"), str(HERE.parent.parent / "tools")]
+import logfile  # noqa: E402
+import truss_network as networks  # noqa: E402
+
+NU = 0.25        # of area body
+LATTICES = {"sc": "cubic", "fcc": "fcc", "bcc": "bcc", "hcp": "hcp"}
+DIRECTIONS = {"100": (1, 0, 0), "110": (1, 1, 0), "111": (1, 1, 1), "a": (1, 0, 0), "b": (0, 1, 0), "c": (0, 0, 1)}
+
+
+def bond_directions(packing, reach):
+    """of one particle in the lattice"""
+    body = networks.crystal(LATTICES[packing], (7, 7, 7))
+    centre = np.argmin(((body.x - 0.5 * body.size) ** 2).sum(axis=1))
+    lines = body.x - body.x[centre]
+    length = np.linalg.norm(lines, axis=1)
+    near = (length > 0) & (length <= reach * (1 + 1e-6))
+    return lines[near] / length[near, None]
+
+
+def strength(bonds, along):
+    """stress over f_t at which the first bonds of a uniform isotropic bar fail: a bond at an angle has the strain
+    eps (cos^2 - nu sin^2)"""
+    cosine = bonds @ np.asarray(along, dtype=float) / np.linalg.norm(along)
+    return 1 / (cosine**2 - NU * (1 - cosine**2)).max()
+
+
+def spread(bonds, count=20000):
+    """least, mean and largest strength of all directions"""
+    k = np.arange(count) + 0.5
+    z, turn = 1 - 2 * k / count, np.pi * (1 + np.sqrt(5)) * k
+    over = np.column_stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+    values = np.array([strength(bonds, n) for n in over])
+    return values.min(), values.mean(), values.max()
+
+
+def measured(log):
+    """parameters; stress over f_t at the first break, largest stress, strain (times E) over f_t there, and the curve"""
+    given = logfile.parameters(Path(log).read_text(encoding="utf-8"))
+    table = logfile.read_thermo(log)
+    stress, strain = table["v_stress"], table["v_ratio"]
+    first, peak = np.argmax(table["f_crack"] > 0), np.argmax(stress)
+    return given, stress[first], stress[peak], strain[peak], (strain[: peak + 1], stress[: peak + 1])
+
+
+def formula(given):
+    if given["packing"] not in LATTICES:
+        return None
+    return strength(bond_directions(given["packing"], float(given["reach"])), DIRECTIONS[given["along"]])
+
+
+def variant(log):
+    return Path(log).name.split(".bar-strength.")[1].rsplit(".g++.", 1)[0]
+
+
+def report(logs):
+    print("| variant | bonds' directions | first bond | strength |\n|---|---|---|---|")
+    for log in logs:
+        given, first, peak, _, _ = measured(log)
+        expected = formula(given)
+        print(f"| `{variant(log)}` | {'' if expected is None else f'{expected:.3f}'} | {first:.3f} | {peak:.3f} |")
+    print("\n| lattice, $r_{\\mathrm{infl}}/d$ | least | mean | largest |\n|---|---|---|---|")
+    for packing, name in (("sc", "simple cubic"), ("fcc", "fcc"), ("bcc", "bcc"), ("hcp", "hcp")):
+        for reach in (1.42, 2.0, 2.5):
+            low, mean, high = spread(bond_directions(packing, reach))
+            print(f"| {name}, {reach} | {low:.2f} | {mean:.2f} | {high:.2f} |")
+
+
+def draw(logs, path):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    groups = {"along an axis": ("sc-100", "fcc-100", "bcc-100", "hcp-a", "hcp-b", "hcp-c"),
+              "along a diagonal, and random": ("sc-110", "sc-111", "fcc-110", "fcc-111", "bcc-110", "bcc-111", "random"),
+              "along [111], 6 d and 10 d wide": ("sc-111", "wide-sc-111", "fcc-111", "wide-fcc-111")}
+    curves = {variant(log): measured(log)[4] for log in logs}
+    figure, axes = pyplot.subplots(1, 3, figsize=(14, 4.4), sharey=True, layout="constrained")
+    for axis, (title, names) in zip(axes, groups.items()):
+        axis.axhspan(0.98, 1.02, color="#e4eadf", zorder=0)
+        axis.axhline(1, color="black", lw=0.8)
+        for name in names:
+            strain, stress = curves[name]
+            (line,) = axis.plot(strain, stress, lw=1.4, label=f"{name}: {stress[-1]:.3f}")
+            axis.plot(strain[-1], stress[-1], "o", color=line.get_color(), ms=5)
+        axis.set(title=title, xlabel=r"strain $\times\,E/f_t$", xlim=(0.6, 1.02), ylim=(0.55, 1.05))
+        axis.spines[["top", "right"]].set_visible(False)
+        axis.legend(frameon=False, loc="lower right", fontsize=9, title="largest stress over $f_t$")
+    axes[0].set_ylabel("stress of the middle third over $f_t$")
+    axes[0].text(0.61, 1.022, r"$f_t\pm2\,\%$", va="bottom", fontsize=9)
+    figure.savefig(path, dpi=100)
+
+
+if __name__ == "__main__":
+    LOGS = sorted(HERE.glob("log.*.g++.1"))
+    if sys.argv[1:2] == ["--draw"]:
+        draw(LOGS, sys.argv[2])
+    else:
+        report(sys.argv[1:] or LOGS)
