@@ -102,20 +102,21 @@ def ledger_error(thermo, scale):
     return np.where(np.isfinite(error), error, np.inf)
 
 
-def step_named(text):
-    match = re.search(r"on step (\d+)", text)
-    return int(match.group(1)) if match else 0
+def step_named(text, otherwise=0):
+    match = re.search(r"(?:on|at) step (\d+)", text)
+    return int(match.group(1)) if match else otherwise
 
 
 def first_sign(thermo, errors, warnings, message):
     """(step, what) of the first trouble, or None"""
-    signs = [(step_named(text), "warning") for text in warnings]
+    signs, last = [(step_named(text), "warning") for text in warnings], 0
     if thermo is not None:
+        last = int(thermo["Step"][-1])
         steps = thermo["Step"].astype(int)
         signs += [(steps[k], "energy ledger") for k in np.flatnonzero(errors > LEDGER_BOUND)[:1]]
         signs += [(steps[k], "particle astray") for k in np.flatnonzero(thermo["v_stray"] != 0)[:1]]
     if message:
-        signs.append((step_named(message), "error"))
+        signs.append((step_named(message, last), "error"))
     order = {"warning": 0, "error": 1}
     return min(signs, key=lambda sign: (sign[0], order.get(sign[1], 2))) if signs else None
 

@@ -8,6 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
+import stability_cases  # noqa: E402
 import stability_more as more  # noqa: E402
 import writing  # noqa: E402
 
@@ -53,6 +54,8 @@ def percent(error):
 def cell(outcome):
     if outcome is None:
         return ""
+    if outcome.verdict == "stops" and outcome.error in (0.0, float("inf")):
+        return outcome.verdict
     word = f"**{outcome.verdict}**" if outcome.verdict == SILENT else outcome.verdict
     return f"{word} {percent(outcome.error)}"
 
@@ -103,8 +106,9 @@ def cures(cases):
     """laws with and without their straight end; walls with and without layer; adaptive step"""
     named = {title(runs["0.5"]): runs for runs in cases}
     pairs = [(f"{law}, {scene}", f"{cure}, {scene}") for law, cure in LAW_ENDS for scene in ("collision", "violent collision", "packing overlaps by 30 %")]
-    pairs += [("bond compressed to 10 % of its length", "the same with penetration 6"),
-              *((f"cube hits a wall at {v} times its wave speed", f"the same at {v} times, penetration 6, unlimited law of the wall") for v in (1, 3))]
+    pairs += [(wall, f"{wall}, soft layer") for wall in ("soft grain, wall 10^6 times as stiff", "hard grain, hard wall")]
+    pairs += [("bond compressed to 10 % of its length", "bond compressed to 10 %, penetration 6"),
+              *((f"cube hits a wall at {v} times its wave speed", f"cube at {v} times, penetration 6, granular law of the wall") for v in (1, 3))]
     rows = []
     for plain, cured in pairs:
         for name in (plain, cured):
@@ -127,27 +131,35 @@ def lattices(rows):
 
 # --- figure -----------------------------------------------------------------------------------------------------------
 
+def height(run):
+    """in the figure; a run that ended at once has no ledger to speak of"""
+    if run.verdict == "stops" and run.error < LEAST_ERROR:
+        return MOST_ERROR
+    return min(max(run.error, LEAST_ERROR), MOST_ERROR)
+
+
 def draw(path, outcomes):
     figure, panel = plt.subplots(figsize=(10, 6), constrained_layout=True)
     for case in by_case(outcomes):
         runs = sorted((run for run in case.values()), key=lambda run: run.fraction)
-        heights = [min(max(run.error, LEAST_ERROR), MOST_ERROR) for run in runs]
-        panel.plot([run.fraction for run in runs], heights, color="#bbbbbb", linewidth=0.7, zorder=1)
-        for run, height in zip(runs, heights):
+        heights = [height(run) for run in runs]
+        panel.plot([run.fraction for run in runs], heights, color="#d5d5d5", linewidth=0.6, zorder=1)
+        for run, error in zip(runs, heights):
             colour, marker = LOOKS[run.verdict]
-            panel.plot(run.fraction, height, marker, color=colour, markersize=6, zorder=2, alpha=0.85)
+            panel.plot(run.fraction, error, marker, color=colour, markersize=6, zorder=2, alpha=0.85)
     panel.axhline(0.1, color="#333333", linewidth=1, linestyle="--")
     panel.text(3.4, 0.115, "bound 10 %", ha="right", va="bottom", fontsize=9)
+    panel.text(0.105, 1.5 * MOST_ERROR, "on this line: ended at once, or not finite", fontsize=9, va="bottom")
     panel.axvline(1.0, color="#333333", linewidth=1, linestyle=":")
-    panel.text(0.985, 3e5, "critical step", rotation=90, ha="right", va="top", fontsize=9)
-    panel.set(xscale="log", yscale="log", xlim=(0.085, 3.6), ylim=(0.5 * LEAST_ERROR, 2 * MOST_ERROR),
+    panel.text(0.985, 3e4, "critical step", rotation=90, ha="right", va="top", fontsize=9)
+    panel.set(xscale="log", yscale="log", xlim=(0.085, 3.6), ylim=(0.5 * LEAST_ERROR, 10 * MOST_ERROR),
               xlabel="time step over the critical step   (0.1: adaptive)",
               ylabel="largest error of the energy ledger over the energy exchanged")
     panel.set_xticks([0.1, 0.5, 0.9, 1.1, 2.0], ["0.1\nadaptive", "0.5", "0.9", "1.1", "2"])
     panel.minorticks_off()
     panel.set_title("Every run of the matrix: how wrong it is, and what the code says")
     panel.legend(handles=[Line2D([], [], color=colour, marker=marker, linestyle="", label=name) for name, (colour, marker) in LOOKS.items()],
-                 loc="upper left", title="grey lines join the runs of one case", fontsize=9, title_fontsize=9)
+                 loc="lower right", title="grey lines join the runs of one case", fontsize=9, title_fontsize=9)
     figure.savefig(path, dpi=110)
     plt.close(figure)
 
@@ -193,7 +205,7 @@ that it hit. Otherwise it must end with an error or carry [a warning of POTDEM](
 
 {matrix(cases)}
 
-(–: not finite, or the run ended before its first output. What follows an error is not judged.) All rows, with every message: [stability.csv](stability.csv).
+(*stops* without a number: the run ended before there was a ledger to judge. –: not finite.) All rows, with every message: [stability.csv](stability.csv).
 
 ## The first sign of trouble
 
@@ -209,13 +221,12 @@ A warning in a run that is right is a warning in time: most are of the critical 
 
 ## Cures
 
-`linear` continues the law straight below the given distance (here half of what it is at rest or at first contact), so that its stiffness is bounded; `penetration` keeps the ends of a bond
-apart; a law without an end keeps particles from passing the wall; the adaptive step keeps the error small where no fixed step is known beforehand.
+`linear` continues a law straight below a distance (here {stability_cases.STRAIGHT:g} of that at rest or at first contact), so that its stiffness is
+bounded: compare the critical steps. The soft layer of a wall makes the contact begin gently; `penetration` keeps the ends of a bond apart; the law
+*granular* of a wall has no end that a fast particle could pass. The adaptive step keeps the error small where no step is known beforehand. Steps are
+fractions of each row's own critical step.
 
 {cures(cases)}
-
-The soft layer of a wall is in the matrix (*the same under the soft layer*): it lowers the error at the same fraction where the stiffness jumps at
-contact, and hardly changes the critical step, which belongs to the deepest point.
 
 ## The critical step
 
