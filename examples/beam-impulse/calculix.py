@@ -91,19 +91,20 @@ class Mesh:
         return "\n".join(line for line in lines if line) + "\n"
 
 
-def amplitude(pulse):
+def amplitude(pulse, increment):
     """corners of the pulse; a jump is spread over one time step, so that the impulse is exact"""
     corners, value, slope, last = {}, 0.0, 0.0, 0.0
     for time, step, change in case.PULSES[pulse]:
         value += slope * (time - last)
-        spread = STEP / 2 if step and time > 0 else 0.0
+        spread = increment / 2 if step and time > 0 else 0.0
         corners[time - spread] = value
         value, slope, last = value + step, slope + change, time
         corners[time + spread] = value
     return ", ".join(f"{number:.9g}" for corner in corners.items() for number in corner)
 
 
-def deck(mesh, mesh_file, pulse, finite):
+def deck(mesh, mesh_file, pulse, finite, increment=STEP, time=case.TIME, every=2):
+    """every: increments between two outputs"""
     section = f"\n{case.WIDTH:g}" if mesh.dimension == 2 else ""
     load = "\n".join(f"{n}, 2, {case.FORCE * share:.12g}" for n, share in mesh.shares().items())
     return f"""*INCLUDE, INPUT={mesh_file}
@@ -116,13 +117,13 @@ def deck(mesh, mesh_file, pulse, finite):
 *BOUNDARY
 CLAMP, 1, 3
 *AMPLITUDE, NAME=PULSE
-{amplitude(pulse)}
+{amplitude(pulse, increment)}
 *STEP, INC=100000{", NLGEOM" if finite else ""}
 *DYNAMIC, DIRECT, ALPHA=0
-{STEP:g}, {case.TIME:g}
+{increment:g}, {time:g}
 *CLOAD, AMPLITUDE=PULSE
 {load}
-*NODE PRINT, NSET=LOADED, FREQUENCY=2
+*NODE PRINT, NSET=LOADED, FREQUENCY={every}
 U
 *END STEP
 """

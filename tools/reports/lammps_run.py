@@ -43,6 +43,12 @@ class Run:
         return sum(float(seconds) for seconds in re.findall(r"^Loop time of (\S+)", self.output, re.MULTILINE))
 
     @property
+    def loop_cpu(self):
+        """processor seconds of the same loops: LAMMPS says which share of the time it had a core"""
+        loops = re.findall(r"^Loop time of (\S+).*?^(\S+)% CPU use", self.output, re.MULTILINE | re.DOTALL)
+        return sum(float(seconds) * min(1.0, float(share) / 100) for seconds, share in loops)
+
+    @property
     def ended_well(self):
         return self.status == 0
 

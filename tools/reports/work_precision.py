@@ -1,0 +1,128 @@
+"""Work-precision diagrams: points of error against seconds, their Pareto front, what to recommend, a picture."""
+
+from dataclasses import dataclass, field
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+
+@dataclass
+class Point:
+    """one setting. series: what is drawn as one line; knob: what varies along it; errors: name -> relative error, infinite
+    where the run failed; bars: name -> standard error of that, where it is a mean over seeds; values: what was measured"""
+
+    series: str
+    knob: str
+    seconds: list
+    errors: dict
+    peer: bool = False
+    bars: dict = field(default_factory=dict)
+    values: dict = field(default_factory=dict)
+
+    @property
+    def median(self):
+        return float(np.median(self.seconds))
+
+    @property
+    def worst(self):
+        return max(self.errors.values())
+
+    @property
+    def label(self):
+        return f"{self.series}, {self.knob}" if self.knob else self.series
+
+
+def front(points, error):
+    """the points that no other beats in both seconds and error, cheapest first; error: function of a point"""
+    best, chosen = np.inf, []
+    for point in sorted(points, key=lambda p: (p.median, error(p))):
+        if error(point) < best:
+            best = error(point)
+            chosen.append(point)
+    return chosen
+
+
+def cheapest(points, limit):
+    """the cheapest point whose errors are all below the limit, or None"""
+    good = [point for point in points if point.worst < limit]
+    return min(good, key=lambda point: point.median) if good else None
+
+
+def order(steps, errors):
+    """exponent p of error = C step^p by least squares in the logarithms"""
+    return float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
+
+
+def percent(value):
+    return f"{100 * value:.2g} %" if 1e-4 < value < 0.995 else f"{100 * value:.0f} %" if value >= 0.995 else f"{100 * value:.1e} %"
+
+
+LIMITS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
+
+
+def recommendations(points):
+    """a line for each limit that asks for another setting than the looser one; at last what cannot be had"""
+    lines, last = [], None
+    for limit in LIMITS:
+        best = cheapest(points, limit)
+        if best is None:
+            lines.append(f"error below {percent(limit)}: no setting that was tried reaches it")
+            break
+        if last is None or best is not last[0]:
+            lines.append(None)
+        last = (best, limit)
+        lines[-1] = f"error below {percent(limit)}: **{best.label}** ({best.median:.2g} s, error {percent(best.worst)})"
+    return lines
+
+
+COLOURS = plt.get_cmap("tab10").colors + plt.get_cmap("Dark2").colors
+MARKS = "osD^v<>Ph*Xd"
+
+
+def _line(axes, points, name, number):
+    shown = [p for p in points if np.isfinite(p.errors[name]) and p.errors[name] > 0]
+    if not shown:
+        return
+    seconds = np.array([[np.median(p.seconds), min(p.seconds), max(p.seconds)] for p in shown])
+    errors = 100 * np.array([p.errors[name] for p in shown])
+    bars = 100 * np.array([p.bars.get(name, 0.0) for p in shown])
+    middle, least, most = seconds.T
+    # a bar that reaches zero has no end on a logarithmic axis
+    down = np.minimum(bars, 0.9 * errors)
+    axes.errorbar(middle, errors, xerr=[middle - least, most - middle], yerr=[down, bars] if bars.any() else None,
+                  color=COLOURS[number % len(COLOURS)], marker=MARKS[number % len(MARKS)], markersize=5, linewidth=1,
+                  linestyle="--" if shown[0].peer else "-", elinewidth=0.8, label=shown[0].series,
+                  markerfacecolor="white" if shown[0].peer else None)
+
+
+def _panel(axes, points, name, floor):
+    for number, series in enumerate(dict.fromkeys(p.series for p in points)):
+        _line(axes, [p for p in points if p.series == series], name, number)
+    best = [p for p in front(points, lambda p: p.errors[name]) if p.errors[name] > 0]
+    places = np.array([[p.median, 100 * p.errors[name]] for p in best])
+    axes.plot(*places.T, color="0.75", linewidth=6, zorder=0, solid_capstyle="round", label="Pareto front")
+    if floor:
+        axes.axhline(100 * floor, color="0.4", linestyle=":", linewidth=1, label="uncertainty of the reference")
+    axes.set(xscale="log", yscale="log", xlabel="processor seconds")
+    axes.grid(True, which="both", color="0.92", linewidth=0.6)
+    axes.set_axisbelow(True)
+
+
+def picture(path, points, labels, floors):
+    """a panel for each error; labels: name -> what it is, floors: name -> what the reference itself is worth"""
+    figure, (*panels, key) = plt.subplots(1, len(labels) + 1, figsize=(4.8 * len(labels) + 3.2, 4.6), constrained_layout=True,
+                                          gridspec_kw={"width_ratios": [4.8] * len(labels) + [3.2]})
+    for axes, (name, label) in zip(panels, labels.items()):
+        _panel(axes, points, name, floors.get(name))
+        axes.set(ylabel=f"error of {label}, %")
+    handles = {}
+    for axes in panels:
+        handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels())})
+    key.axis("off")
+    key.legend(handles.values(), handles.keys(), loc="center left", fontsize=8, frameon=False, borderaxespad=0)
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
