@@ -25,7 +25,8 @@ Made by `tools/report accuracy{options}`; nothing here is written by hand.
 *Seconds*: processor time of one core. For solids it is that of the whole LAMMPS process, because `area body` spends some before the first
 step; for grains that of LAMMPS's loop. Settings ran in turn, one process at a time, {repeats} times; bars reach from the
 least to the most, points and tables are medians. *Error*: relative, against the reference that each case names. Grey: Pareto front, the
-settings that none beats in both. Dashed lines with open symbols: other programs and styles.
+settings that none beats in both. Dashed lines with open symbols: other programs and styles. Where a case is chaotic, its quantities are
+means over several draws: ± and bars are standard errors of the difference. An error smaller than its ± counts as that.
 
 $\\Delta t_c$ is the critical step of [compute potdem/timestep](../compute_potdem_timestep.md) at the start.
 """
@@ -42,11 +43,14 @@ def measure(case, repeats, work):
 
 
 def points_of(case, repeats, work):
+    """of all settings but the reference, and what is bundled; the case's text learns what the reference is"""
     found = measure(case, repeats, work)
-    quantities = [[values for _, values in runs] for runs in found]
-    errors = case.errors(quantities)
-    return [work_precision.Point(setting.series, setting.knob, [seconds for seconds, _ in runs], of_names, setting.peer, bars, runs[0][1])
-            for setting, runs, (of_names, bars) in zip(case.settings, found, errors)] + case.bundled()
+    errors = case.errors([[values for _, values in runs] for runs in found])
+    points = [work_precision.Point(setting.series, setting.knob, [seconds for seconds, _ in runs], of_names, setting.peer, bars, runs[0][1])
+              for setting, runs, (of_names, bars) in zip(case.settings, found, errors)]
+    known = [point for point, setting in zip(points, case.settings) if setting.reference]
+    text = case.text.replace("{reference}", f"{known[0].label}, {seconds_text(known[0])} s") if known else case.text
+    return [point for point in points if point not in known] + case.bundled(), text
 
 
 def seconds_text(point):
@@ -61,7 +65,18 @@ def error_cells(point):
     return cells
 
 
-def section(case, points, out):
+def recommended(case, points):
+    """Markdown list; for each series where they are no substitutes for each other"""
+    if not case.apart:
+        return "\n".join(f"* {line}" for line in work_precision.recommendations(points))
+    lines = []
+    for series in dict.fromkeys(p.series for p in points):
+        lines.append(f"* {series}")
+        lines += [f"  * {line}" for line in work_precision.recommendations([p for p in points if p.series == series])]
+    return "\n".join(lines)
+
+
+def section(case, points, text, out):
     """writes the picture and the CSV, returns the Markdown"""
     files = f"accuracy-{case.name}"
     work_precision.picture(out / f"{files}.png", points, case.labels, case.floors)
@@ -71,10 +86,9 @@ def section(case, points, out):
     best = work_precision.front(points, lambda p: p.worst)
     rows = [[("**" if p in best else "") + p.series + ("**" if p in best else ""), p.knob, seconds_text(p), *error_cells(p)]
             for p in points]
-    ours = [p for p in points if not p.peer]
-    lines = [f"## {case.title}", case.text, f"![error against seconds]({files}.png)", "**Recommended**, the cheapest setting with all errors "
-             "below a limit:", "\n".join(f"* {line}" for line in work_precision.recommendations(ours))]
-    remarks = case.remarks(points)
+    lines = [f"## {case.title}", text, f"![error against seconds]({files}.png)", "**Recommended**, the cheapest setting of POTDEM with "
+             "all errors below a limit:", recommended(case, [p for p in points if not p.peer])]
+    remarks = work_precision.against_peers(points) + case.remarks(points)
     if remarks:
         lines.append("\n".join(f"* {line}" for line in remarks))
     lines.append(writing.table([case.series, case.knob, "seconds (least to most)", *(f"error of {x}, %" for x in case.labels.values())],
@@ -100,7 +114,7 @@ def main(argv):
                 print(f"{name}: left out: {reason}", flush=True)
                 skipped.append(f"* {name}: left out: {reason}")
                 continue
-            sections.append(section(case, points_of(case, arguments.repeats, Path(work) / name), out))
+            sections.append(section(case, *points_of(case, arguments.repeats, Path(work) / name), out))
     minutes = (time.monotonic() - start) / 60
     page = [INTRODUCTION.format(options=" --short" if arguments.short else "", repeats=arguments.repeats),
             writing.table(("machine", ""), [*machine, ("this report took", f"{minutes:.0f} minutes")]), *skipped, *sections]

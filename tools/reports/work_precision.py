@@ -8,6 +8,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib import ticker  # noqa: E402
 
 
 @dataclass
@@ -27,9 +28,13 @@ class Point:
     def median(self):
         return float(np.median(self.seconds))
 
+    def error(self, name):
+        """what is known of it: an error smaller than its standard error counts as that"""
+        return max(self.errors[name], self.bars.get(name, 0.0))
+
     @property
     def worst(self):
-        return max(self.errors.values())
+        return max(self.error(name) for name in self.errors)
 
     @property
     def label(self):
@@ -52,13 +57,26 @@ def cheapest(points, limit):
     return min(good, key=lambda point: point.median) if good else None
 
 
+def against_peers(points):
+    """sentences: what a peer's error costs with this package"""
+    ours, lines = [p for p in points if not p.peer], []
+    for series in dict.fromkeys(p.series for p in points if p.peer):
+        theirs = [p for p in points if p.series == series and np.isfinite(p.worst)]
+        equal = [cheapest(ours, 1.01 * p.worst) for p in theirs]
+        ratios = [own.median / p.median for own, p in zip(equal, theirs) if own]
+        reached = f"the same error or less in {np.median(ratios):.2g} of its seconds (median)" if ratios else "no setting reaches its error"
+        lines.append(f"Beside {series}: for {len(ratios)} of its {len(theirs)} settings POTDEM has {reached}." if ratios else
+                     f"Beside {series}: {reached}.")
+    return lines
+
+
 def order(steps, errors):
     """exponent p of error = C step^p by least squares in the logarithms"""
     return float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
 
 
 def percent(value):
-    return f"{100 * value:.2g} %" if 1e-4 < value < 0.995 else f"{100 * value:.0f} %" if value >= 0.995 else f"{100 * value:.1e} %"
+    return f"{100 * value:.2g} %" if value < 0.995 else f"{100 * value:.0f} %"
 
 
 LIMITS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
@@ -84,11 +102,11 @@ MARKS = "osD^v<>Ph*Xd"
 
 
 def _line(axes, points, name, number):
-    shown = [p for p in points if np.isfinite(p.errors[name]) and p.errors[name] > 0]
+    shown = [p for p in points if np.isfinite(p.errors[name]) and p.error(name) > 0]
     if not shown:
         return
     seconds = np.array([[np.median(p.seconds), min(p.seconds), max(p.seconds)] for p in shown])
-    errors = 100 * np.array([p.errors[name] for p in shown])
+    errors = 100 * np.array([p.error(name) for p in shown])
     bars = 100 * np.array([p.bars.get(name, 0.0) for p in shown])
     middle, least, most = seconds.T
     # a bar that reaches zero has no end on a logarithmic axis
@@ -99,23 +117,39 @@ def _line(axes, points, name, number):
                   markerfacecolor="white" if shown[0].peer else None)
 
 
+def _plain_ticks(axis):
+    """1, 2, 5, 10 on a short logarithmic axis, powers of ten on a long one"""
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if high < 50 * low else (1,)))
+    axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    axis.set_minor_formatter(ticker.NullFormatter())
+
+
 def _panel(axes, points, name, floor):
     for number, series in enumerate(dict.fromkeys(p.series for p in points)):
         _line(axes, [p for p in points if p.series == series], name, number)
-    best = [p for p in front(points, lambda p: p.errors[name]) if p.errors[name] > 0]
-    places = np.array([[p.median, 100 * p.errors[name]] for p in best])
+    best = [p for p in front(points, lambda p: p.error(name)) if p.error(name) > 0]
+    if not best:
+        axes.text(0.5, 0.5, "no error in any setting", ha="center", transform=axes.transAxes)
+        return
+    places = np.array([[p.median, 100 * p.error(name)] for p in best])
     axes.plot(*places.T, color="0.75", linewidth=6, zorder=0, solid_capstyle="round", label="Pareto front")
     if floor:
         axes.axhline(100 * floor, color="0.4", linestyle=":", linewidth=1, label="uncertainty of the reference")
     axes.set(xscale="log", yscale="log", xlabel="processor seconds")
+    for axis in (axes.xaxis, axes.yaxis):
+        _plain_ticks(axis)
     axes.grid(True, which="both", color="0.92", linewidth=0.6)
     axes.set_axisbelow(True)
 
 
 def picture(path, points, labels, floors):
     """a panel for each error; labels: name -> what it is, floors: name -> what the reference itself is worth"""
-    figure, (*panels, key) = plt.subplots(1, len(labels) + 1, figsize=(4.8 * len(labels) + 3.2, 4.6), constrained_layout=True,
-                                          gridspec_kw={"width_ratios": [4.8] * len(labels) + [3.2]})
+    rows, columns = 1 + (len(labels) > 3), len(labels) if len(labels) < 4 else 2
+    figure = plt.figure(figsize=(4.8 * columns + 3.2, 4.4 * rows), constrained_layout=True)
+    grid = figure.add_gridspec(rows, columns + 1, width_ratios=[4.8] * columns + [3.2])
+    panels = [figure.add_subplot(grid[divmod(number, columns)]) for number in range(len(labels))]
+    key = figure.add_subplot(grid[:, -1])
     for axes, (name, label) in zip(panels, labels.items()):
         _panel(axes, points, name, floors.get(name))
         axes.set(ylabel=f"error of {label}, %")

@@ -26,12 +26,14 @@ class Setting:
     knob: str
     measure: Callable
     peer: bool = False
+    reference: bool = False
 
 
 @dataclass
 class Case:
     """errors: quantities of all settings, one per round -> (errors, bars) of each setting; labels: name of an error -> what it is
-    of; floors: name -> uncertainty of the reference; remarks: points -> sentences; bundled: points that were not measured now"""
+    of; floors: name -> uncertainty of the reference; remarks: points -> sentences; bundled: points that were not measured now; apart: each
+    series gets its own recommendation"""
 
     name: str
     title: str
@@ -44,6 +46,7 @@ class Case:
     floors: dict = field(default_factory=dict)
     remarks: Callable = lambda points: []
     bundled: Callable = lambda: []
+    apart: bool = False
 
 
 def lammps(series, knob, script, variables, quantities, loop=False, peer=False):
@@ -77,10 +80,10 @@ def relative(found, reference):
     return abs(found / reference - 1)
 
 
-def exact_errors(names, of_one):
-    """errors of settings that give the same in every round; of_one: quantities -> errors by name"""
+def exact_errors(names, of_one, floors=None):
+    """errors of settings that give the same in every round; of_one: quantities -> errors by name; floors: as in Case"""
     def errors(quantities):
-        return [(dict.fromkeys(names, np.inf) if runs[0] is FAILED else of_one(runs[0]), {}) for runs in quantities]
+        return [(dict.fromkeys(names, np.inf) if runs[0] is FAILED else of_one(runs[0]), floors or {}) for runs in quantities]
 
     return errors
 

@@ -160,11 +160,11 @@ def rms(values):
 
 
 def settings_of(meeting, short):
-    for number in (10, 20, 40, 80, 160) if short else (10, 20, 40, 80, 160, 320):
+    for number in (10, 40, 160) if short else (10, 20, 40, 80, 160, 320):
         dt = meeting.exact[0] / number
         steps = int(np.ceil(1.1 * number)) + 6
         variables = {**meeting.variables, "speed": meeting.speed, "dt": f"{dt:.17g}", "steps": steps, "reach": f"{meeting.reach:.17g}",
-                     "n": 70 if short else 120}
+                     "n": 100 if short else 150}
         yield lammps(meeting.series, f"T/{number} = {dt / meeting.critical:.2g} Δt_c", SCRIPT, variables, outcome(meeting, dt), loop=True,
                      peer=meeting.peer)
 
@@ -183,7 +183,7 @@ def orders(points):
 def case_of(name, title, text, met, short):
     names = ("duration", "velocity")
     return Case(name, title, text, "law", "step", {"duration": "the duration", "velocity": "the velocity after"},
-                [setting for meeting in met for setting in settings_of(meeting, short)], exact_errors(names, dict), remarks=orders)
+                [setting for meeting in met for setting in settings_of(meeting, short)], exact_errors(names, dict), remarks=orders, apart=True)
 
 
 COLLISION_TEXT = """Elastic collisions of two grains, 1 and 1.6 m, or of one with a wall ([in.collisions](../../tools/reports/cases/in.collisions)),
