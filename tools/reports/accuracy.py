@@ -1,6 +1,6 @@
 """Error against run time: the report of tools/report accuracy.
 
-  tools/report accuracy [--short] [--case NAME ...] [--repeats N]
+  tools/report accuracy [--short] [--case NAME ...] [--repeats N] [--calculix]
 
 For each case the knobs of a user are swept, in turn and several times, one process at a time. Writes accuracy.md and, for
 each case, accuracy-<case>.png and accuracy-<case>.csv to docs/report/ (about 20 minutes), or with --short, which sweeps
@@ -8,6 +8,7 @@ less, to build/report/ (under 5 minutes). With --case the page has these cases o
 """
 
 import argparse
+import re
 import sys
 import tempfile
 import time
@@ -16,11 +17,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import work_precision  # noqa: E402
 import writing  # noqa: E402
-from cases import CASES, Unavailable  # noqa: E402
+from cases import CASES, Unavailable, keep_calculix  # noqa: E402
 
 INTRODUCTION = """# Error against run time
 
-Made by `tools/report accuracy{options}`; nothing here is written by hand.
+Made by `tools/report accuracy{options}`; nothing here is written by hand. The whole report takes about 20 minutes on two quiet cores;
+`tools/report accuracy --short` sweeps less, in under 5 minutes, and writes to build/report/. `--case NAME` makes one case.
 
 *Seconds*: processor time of one core. For solids it is that of the whole LAMMPS process, because `area body` spends some before the first
 step; for grains that of LAMMPS's loop. Settings ran in turn, one process at a time, {repeats} times; bars reach from the
@@ -28,8 +30,7 @@ least to the most, points and tables are medians. *Error*: relative, against the
 settings that none beats in both. Dashed lines with open symbols: other programs and styles. Where a case is chaotic, its quantities are
 means over several draws: ± and bars are standard errors of the difference. An error smaller than its ± counts as that.
 
-$\\Delta t_c$ is the critical step of [compute potdem/timestep](../compute_potdem_timestep.md) at the start.
-"""
+$\\Delta t_c$ is the critical step of [compute potdem/timestep](../compute_potdem_timestep.md) at the start."""
 
 
 def measure(case, repeats, work):
@@ -76,49 +77,88 @@ def recommended(case, points):
     return "\n".join(lines)
 
 
-def section(case, points, text, out):
-    """writes the picture and the CSV, returns the Markdown"""
-    files = f"accuracy-{case.name}"
-    work_precision.picture(out / f"{files}.png", points, case.labels, case.floors)
-    writing.write_csv(out / f"{files}.csv", ["series", "knob", "seconds", "least", "most"]
-                      + [f"error of {label}" for label in case.labels.values()],
-                      [[p.series, p.knob, p.median, min(p.seconds), max(p.seconds), *p.errors.values()] for p in points])
-    best = work_precision.front(points, lambda p: p.worst)
-    rows = [[("**" if p in best else "") + p.series + ("**" if p in best else ""), p.knob, seconds_text(p), *error_cells(p)]
-            for p in points]
-    lines = [f"## {case.title}", text, f"![error against seconds]({files}.png)", "**Recommended**, the cheapest setting of POTDEM with "
-             "all errors below a limit:", recommended(case, [p for p in points if not p.peer])]
+def files_of(case):
+    return f"accuracy-{case.name}"
+
+
+def write_data(case, points, out):
+    work_precision.picture(out / f"{files_of(case)}.png", points, case.labels, case.floors, not case.apart)
+    header = ["series", "knob", "POTDEM", "seconds", "least", "most"]
+    header += [f"{what} of {label}" for label in case.labels.values() for what in ("error", "uncertainty")]
+    writing.write_csv(out / f"{files_of(case)}.csv", header, [
+        [p.series, p.knob, "no" if p.peer else "yes", p.median, min(p.seconds), max(p.seconds)]
+        + [value for name in case.labels for value in (p.errors[name], p.bars.get(name, 0.0))] for p in points])
+
+
+def data_table(case, points):
+    best = [] if case.apart else work_precision.front(points, lambda p: p.worst)
+    rows = [[f"**{p.series}**" if p in best else p.series, p.knob, seconds_text(p), *error_cells(p)] for p in points]
+    return writing.table([case.series, case.knob, "seconds (least to most)", *(f"error of {x}, %" for x in case.labels.values())], rows)
+
+
+def section(case, points, text):
+    """Markdown"""
     remarks = work_precision.against_peers(points) + case.remarks(points)
-    if remarks:
-        lines.append("\n".join(f"* {line}" for line in remarks))
-    lines.append(writing.table([case.series, case.knob, "seconds (least to most)", *(f"error of {x}, %" for x in case.labels.values())],
-                               rows))
-    lines.append(f"Bold: Pareto front of the largest error. Data: [{files}.csv]({files}.csv).")
-    return "\n\n".join(lines) + "\n"
+    parts = [f"## {case.title}", text, f"![error against seconds]({files_of(case)}.png)",
+             "**Recommended**, the cheapest setting of POTDEM with all errors below a limit:", recommended(case, [p for p in points if not p.peer]),
+             "\n".join(f"* {line}" for line in remarks), data_table(case, points),
+             ("" if case.apart else "Bold: Pareto front of the largest error. ") + f"Data: [{files_of(case)}.csv]({files_of(case)}.csv)."]
+    return "\n\n".join(part for part in parts if part)
+
+
+def summary(cases):
+    """Markdown: for each case, and each series where they are no substitutes, the best that was found, and the cheapest below limits"""
+    def cell(point):
+        return f"{point.label}: {work_precision.percent(point.worst)} in {point.median:.2g} s" if point else "–"
+
+    rows = []
+    for case, points in cases:
+        ours = [p for p in points if not p.peer]
+        for series in dict.fromkeys(p.series for p in ours) if case.apart else (None,):
+            chosen = [p for p in ours if series in (None, p.series)]
+            rows.append([f"[{case.title}](#{anchor(case.title)})", *(cell(work_precision.cheapest(chosen, limit)) for limit in (0.1, 0.01)),
+                         cell(min(chosen, key=lambda p: p.worst))])
+    return writing.table(["case", "cheapest below 10 %", "cheapest below 1 %", "most accurate"], rows)
+
+
+def anchor(title):
+    """as GitHub makes it from a heading"""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
+def page(arguments, cases, skipped, machine, minutes):
+    introduction = INTRODUCTION.format(options=" --short" if arguments.short else "", repeats=arguments.repeats)
+    parts = [introduction, writing.table(("machine", ""), [*machine, ("this report took", f"{minutes:.0f} minutes")]),
+             "\n".join(skipped), "## In short", summary([(case, points) for case, points, _ in cases])]
+    parts += [section(case, points, text) for case, points, text in cases]
+    return "\n\n".join(part for part in parts if part) + "\n"
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(prog="tools/report accuracy", description=__doc__.split("\n\n")[2])
+    parser = argparse.ArgumentParser(prog="tools/report accuracy")
     parser.add_argument("--short", action="store_true", help="sweep less; writes to build/report/")
     parser.add_argument("--case", action="append", choices=list(CASES), help="only this case; may be repeated; writes to build/report/")
     parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--calculix", action="store_true", help="measures CalculiX's run times anew, for machines without it (3 minutes)")
     arguments = parser.parse_args(argv)
-    out = writing.folder(arguments.short or arguments.case is not None)
-    start, sections, skipped = time.monotonic(), [], []
-    machine = writing.machine()
+    start, cases, skipped = time.monotonic(), [], []
+    out, machine = writing.folder(arguments.short or arguments.case is not None), writing.machine()
     with tempfile.TemporaryDirectory() as work:
+        work = Path(work)
+        if arguments.calculix:
+            keep_calculix(work)
+            return
         for name in arguments.case or CASES:
             try:
-                case = CASES[name](arguments.short, Path(work) / name)
+                case = CASES[name](arguments.short, work / name)
             except Unavailable as reason:
-                print(f"{name}: left out: {reason}", flush=True)
-                skipped.append(f"* {name}: left out: {reason}")
+                skipped.append(f"* {name} is left out: {reason}.")
+                print(skipped[-1], file=sys.stderr, flush=True)
                 continue
-            sections.append(section(case, *points_of(case, arguments.repeats, Path(work) / name), out))
+            cases.append((case, *points_of(case, arguments.repeats, work / name)))
+            write_data(*cases[-1][:2], out)
     minutes = (time.monotonic() - start) / 60
-    page = [INTRODUCTION.format(options=" --short" if arguments.short else "", repeats=arguments.repeats),
-            writing.table(("machine", ""), [*machine, ("this report took", f"{minutes:.0f} minutes")]), *skipped, *sections]
-    (out / "accuracy.md").write_text("\n\n".join(page), encoding="utf-8")
+    (out / "accuracy.md").write_text(page(arguments, cases, skipped, machine, minutes), encoding="utf-8")
     print(f"written in {minutes:.1f} minutes: {(out / 'accuracy.md').relative_to(writing.ROOT)}")
 
 

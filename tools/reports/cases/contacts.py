@@ -93,24 +93,27 @@ def bare_wall(z):
     return 4 / 3 * formulas.modulus(ATTRIBUTES) * np.sqrt(D2 / 2) * np.maximum(D2 / 2 - z, 0.0) ** 1.5
 
 
-def meetings():
-    """the elastic ones"""
+def hertz_meetings(**settings):
+    """POTDEM's Hertz contact and LAMMPS's two; viscous: H of eq. 5.17"""
+    H = settings.get("viscous", 0.0)
+    ours = {"style": "potdem/hertz", "coeff": "3e6 0.3" + (f" viscous {H}" if H else "")}
+    return [Meeting("potdem/hertz", ours, HERTZ.force, **settings), Meeting("gran/hertz/history", gran(H), HERTZ.force, peer=True, **settings),
+            Meeting("granular", granular_style(H), HERTZ.force, peer=True, **settings)]
+
+
+def other_meetings():
     truss, granular, lj = (law({**ATTRIBUTES, "n": n}) for law, n in
                            ((formulas.truss_contact, 0), (formulas.granular, 6.0), (formulas.lennard_jones, 3.0)))
     wall = formulas.wall(ATTRIBUTES)
-    modulus = "3e6 0.3"
     on_wall = {"mass": MASSES[1], "lightest": MASSES[1]}
-    hertz = {"style": "potdem/hertz", "coeff": modulus}
+    bare, soft = ({"against": "wall", "wall": f"3e6 0.3 particle 3e6 0.3 {layer}"} for layer in ("layer none", "layer 0.1 2"))
     return [
-        Meeting("potdem/hertz", hertz, HERTZ.force),
         Meeting("potdem/truss", {"style": "potdem/truss", "coeff": "3e6 0.4"}, truss.force),
         Meeting("potdem/granular", {"style": "potdem/granular", "coeff": "1e6 6 0.2", "shift": "yes"}, granular.force, granular.ends[0],
                 speed=30.0),
         Meeting("potdem/lj", {"style": "potdem/lj", "coeff": "1e6 0.26 3 0.2", "shift": "yes"}, lj.force, lj.ends[0], speed=30.0),
-        Meeting("wall, no layer", {**hertz, "against": "wall", "wall": "3e6 0.3 particle 3e6 0.3 layer none"}, bare_wall, D2 / 2, **on_wall),
-        Meeting("wall, soft layer", {**hertz, "against": "wall", "wall": "3e6 0.3 particle 3e6 0.3 layer 0.1 2"}, wall.force, wall.ends[0], **on_wall),
-        Meeting("gran/hertz/history", gran(0), HERTZ.force, peer=True),
-        Meeting("granular", granular_style(0), HERTZ.force, peer=True),
+        Meeting("wall, no layer", bare, bare_wall, D2 / 2, **on_wall),
+        Meeting("wall, soft layer", soft, wall.force, wall.ends[0], **on_wall),
     ]
 
 
@@ -126,18 +129,6 @@ def granular_style(H):
     k = PREFACTOR / np.sqrt(RADIUS)
     damping = f"hertz {k:.17g} {k * H / REDUCED:.17g} tangential linear_nohistory 0 0"
     return {"style": "granular", "coeff": damping + (" damping viscoelastic limit_damping" if H else " damping viscoelastic")}
-
-
-H = 6e-4
-
-
-def viscous_meetings():
-    settings = {"speed": 0.5, "viscous": H}
-    return [
-        Meeting("potdem/hertz", {"style": "potdem/hertz", "coeff": f"3e6 0.3 viscous {H}"}, HERTZ.force, **settings),
-        Meeting("gran/hertz/history", gran(H), HERTZ.force, peer=True, **settings),
-        Meeting("granular", granular_style(H), HERTZ.force, peer=True, **settings),
-    ]
 
 
 def outcome(meeting, dt):
@@ -164,7 +155,7 @@ def settings_of(meeting, short):
         dt = meeting.exact[0] / number
         steps = int(np.ceil(1.1 * number)) + 6
         variables = {**meeting.variables, "speed": meeting.speed, "dt": f"{dt:.17g}", "steps": steps, "reach": f"{meeting.reach:.17g}",
-                     "n": 100 if short else 150}
+                     "n": 100 if short else 200}
         yield lammps(meeting.series, f"T/{number} = {dt / meeting.critical:.2g} Δt_c", SCRIPT, variables, outcome(meeting, dt), loop=True,
                      peer=meeting.peer)
 
@@ -180,29 +171,35 @@ def orders(points):
     return lines
 
 
-def case_of(name, title, text, met, short):
+def case_of(name, title, text, met, short, apart=False):
     names = ("duration", "velocity")
     return Case(name, title, text, "law", "step", {"duration": "the duration", "velocity": "the velocity after"},
-                [setting for meeting in met for setting in settings_of(meeting, short)], exact_errors(names, dict), remarks=orders, apart=True)
+                [setting for meeting in met for setting in settings_of(meeting, short)], exact_errors(names, dict), remarks=orders, apart=apart)
 
 
-COLLISION_TEXT = """Elastic collisions of two grains, 1 and 1.6 m, or of one with a wall ([in.collisions](../../tools/reports/cases/in.collisions)),
-thousands at once, each beginning at another place within a step; the errors are root mean squares over them. Reference: the equation
-of motion, integrated to 10⁻¹² with the laws of [formulas.py](../../examples/contact-laws/formulas.py). *T*: exact
-duration, from the distance at which the force begins to where it ends. $\\Delta t_c$: critical step where the particles turn back.
-`potdem/granular` and `potdem/lj` begin with a jump of the force, at their cut.
+COLLISION_TEXT = """Elastic collisions of two grains of 1 and 1.6 m ([in.collisions](../../tools/reports/cases/in.collisions)), thousands at once, each
+beginning at another place within a step; the errors are root mean squares over them. Reference: the equation of motion, integrated to
+10⁻¹² with the laws of [formulas.py](../../examples/contact-laws/formulas.py). *T*: exact duration, from the distance at which the force begins
+to where it ends. $\\Delta t_c$: critical step where the particles turn back.
 
 Peers: LAMMPS's `gran/hertz/history` and `granular` with the same Hertz contact."""
 
 RESTITUTION_TEXT = """As above, with viscosity (eq. 5.17, $H$ = {H:g} s, no attraction): the grains leave at {e:.3f} of the speed with which they came.
-LAMMPS's two styles have the same equation in other words, `limit_damping` included. Where they differ from the reference is in when
-the velocity is taken: it is half a step old, for all three."""
+LAMMPS's two styles have the same equation in other words, `limit_damping` included. All three take the velocity half a step too early, so
+the errors are of first order."""
+
+LAWS_TEXT = """As the collision of two grains, with other laws, and of a grain of 1.6 m with a wall. `potdem/granular` and `potdem/lj` begin with a
+jump of the force, at their cut, which makes the errors of first order. One law is no substitute for another: each has its own recommendation."""
 
 
-def hertz_collision(short, _):
-    return case_of("collision", "Collision of two grains", COLLISION_TEXT, meetings(), short)
+def collision_of_grains(short, _):
+    return case_of("collision", "Collision of two grains", COLLISION_TEXT, hertz_meetings(), short)
 
 
 def restitution(short, _):
-    met = viscous_meetings()
-    return case_of("restitution", "Viscoelastic restitution", RESTITUTION_TEXT.format(H=H, e=met[0].exact[1]), met, short)
+    met = hertz_meetings(speed=0.5, viscous=2e-3)
+    return case_of("restitution", "Viscoelastic restitution", RESTITUTION_TEXT.format(H=met[0].viscous, e=met[0].exact[1]), met, short)
+
+
+def other_laws(short, _):
+    return case_of("laws", "Collisions with other laws", LAWS_TEXT, other_meetings(), short, apart=True)

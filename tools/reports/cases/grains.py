@@ -3,7 +3,7 @@
 import numpy as np
 
 from .bulk import against_reference, seeded
-from .case import EXAMPLES, HERE, Case, lammps
+from .case import EXAMPLES, HERE, Case, Unavailable, lammps
 
 SEEDS_TEXT = "A round is a draw of the diameters."
 
@@ -26,7 +26,7 @@ def curve_error(found, known):
 
 
 def hopper(short, _):
-    time = 0.3 if short else 0.6
+    time = 0.3 if short else 0.4
     steps = [1e-4, 5e-5, 1.25e-5] if short else [1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6]
     chosen = [("η auto, soft layer", step, {}) for step in steps]
     chosen[-1:-1] = [("η = 1 kg/s, soft layer", 5e-5, {"eta": 1})] + ([] if short else [
@@ -40,6 +40,30 @@ def hopper(short, _):
     return Case("hopper", "Discharge of a hopper", HOPPER_TEXT.format(time=time) + " " + SEEDS_TEXT, "friction and walls", "step",
                 {"curve": "the discharge curve", "upper": "the grains above the upper ledge", "lower": "the grains on the lower ledge"}, settings,
                 against_reference(("upper", "lower"), {"curve": curve_error}))
+
+
+# --- column -----------------------------------------------------------------------------------------------
+
+COLUMN_TEXT = """Scene [column-drop](../../examples/column-drop/README.md), {settling} s in the box and {spreading} s without the left wall. Reference:
+{{reference}}. *Run-out*: of the centre of mass, from the right wall; *height*: of the same; η as above."""
+
+
+def of_column(run):
+    return {name: float(run.thermo[f"v_{name}"][-1]) for name in ("x", "z", "height")}
+
+
+def column(short, _):
+    script = EXAMPLES / "column-drop" / "in.column-drop"
+    if not script.exists():
+        raise Unavailable("there is no scene column-drop")
+    times = {"settling": 0.3, "spreading": 0.3} if short else {"settling": 0.5, "spreading": 0.5}
+    chosen = [("η auto", 1e-4, {}), ("η auto", 5e-5, {}), ("η = 1 kg/s", 5e-5, {"eta": 1}), ("η auto", 2.5e-5, {})]
+    chosen += [] if short else [("η = 1 kg/s", 1e-4, {"eta": 1}), ("η auto", 1.25e-5, {})]
+    settings = [lammps(series, f"{1e6 * step:g} µs", script, seeded({**times, "picture": "no", "dt": step, **more}), of_column, loop=True)
+                for series, step, more in chosen]
+    settings[-1].reference = True
+    return Case("column", "Run-out of a column", COLUMN_TEXT.format(**times) + " " + SEEDS_TEXT, "friction", "step",
+                {"x": "the run-out", "z": "the height", "height": "the top"}, settings, against_reference(("x", "z", "height"), {}))
 
 
 # --- bed --------------------------------------------------------------------------------------------------

@@ -70,7 +70,7 @@ def models(short):
         return {**found, ("lattice", 2.0, 5): (0.9,), ("body", 1.42, 5): (0.9, 0.5)}
     for area in AREAS:
         for reach in (1.42, 1.75, 2.0, 2.5):
-            found.setdefault((area, reach, 5), (0.9, 0.4))
+            found.setdefault((area, reach, 5), (0.9, 0.4) if area == "body" else (0.9,))
     return {**found, ("body", 1.42, 7): (0.9, 0.4), ("body", 2.0, 7): (0.9, 0.4), ("body", 2.0, 10): (0.9,)}
 
 
