@@ -28,7 +28,8 @@ Made by `tools/report accuracy{options}`; nothing here is written by hand. The w
 step; for grains that of LAMMPS's loop. Settings ran in turn, one process at a time, {repeats} times; bars reach from the
 least to the most, points and tables are medians. *Error*: relative, against the reference that each case names. Grey: Pareto front, the
 settings that none beats in both. Dashed lines with open symbols: other programs and styles. Where a case is chaotic, its quantities are
-means over several draws: ± and bars are standard errors of the difference. An error smaller than its ± counts as that.
+means over several draws: ± and bars are standard errors of the difference, from the scatter of all settings together. An error smaller
+than its ± counts as that.
 
 $\\Delta t_c$ is the critical step of [compute potdem/timestep](../compute_potdem_timestep.md) at the start."""
 

@@ -44,9 +44,9 @@ class Run:
 
     @property
     def loop_cpu(self):
-        """processor seconds of the same loops: LAMMPS says which share of the time it had a core"""
+        """processor seconds of the same loops: LAMMPS says which share of the time it had a core, of short loops it cannot tell"""
         loops = re.findall(r"^Loop time of (\S+).*?^(\S+)% CPU use", self.output, re.MULTILINE | re.DOTALL)
-        return sum(float(seconds) * min(1.0, float(share) / 100) for seconds, share in loops)
+        return sum(float(seconds) * (min(1.0, float(share) / 100) if float(seconds) > 0.05 else 1.0) for seconds, share in loops)
 
     @property
     def ended_well(self):

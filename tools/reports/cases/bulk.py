@@ -10,21 +10,27 @@ def seeded(variables):
     return lambda repeat: {**variables, "seed": repeat + 1}
 
 
-def difference(found, known):
-    """relative difference of the means and its standard error"""
-    scale = abs(np.mean(known))
-    noise = np.sqrt(sum(np.var(values, ddof=1) / len(values) for values in (found, known))) if len(found) > 1 else 0.0
-    return abs(np.mean(found) - np.mean(known)) / scale, noise / scale
+def standard_error(groups):
+    """of the difference of two means, relative to the mean of the last group; the scatter is that of all groups together, because that of a
+    few seeds is hardly known"""
+    number = len(groups[-1])
+    variance = np.mean([np.var(group, ddof=1) for group in groups]) if number > 1 else 0.0
+    return float(np.sqrt(2 * variance / number) / abs(np.mean(groups[-1])))
 
 
 def against_reference(bulk, of_runs):
     """Case.errors where the last setting is the reference. bulk: names of quantities, compared as means over the rounds; of_runs: name
     -> function of (quantities, the reference's of the same round), the worst counts"""
-    def of_setting(runs, known):
+    def of_setting(runs, known, bars):
         if any(run is FAILED for run in runs):
             return dict.fromkeys([*of_runs, *bulk], np.inf), {}
         errors = {name: max(function(*pair) for pair in zip(runs, known)) for name, function in of_runs.items()}
-        pairs = {name: difference(*([run[name] for run in group] for group in (runs, known))) for name in bulk}
-        return {**errors, **{name: pair[0] for name, pair in pairs.items()}}, {name: pair[1] for name, pair in pairs.items()}
+        means = {name: [np.mean([run[name] for run in group]) for group in (runs, known)] for name in bulk}
+        return {**errors, **{name: abs(found / wanted - 1) for name, (found, wanted) in means.items()}}, bars
 
-    return lambda quantities: [of_setting(runs, quantities[-1]) for runs in quantities]
+    def errors(quantities):
+        whole = [runs for runs in quantities if FAILED not in runs]
+        bars = {name: standard_error([[run[name] for run in runs] for runs in whole]) for name in bulk}
+        return [of_setting(runs, quantities[-1], bars) for runs in quantities]
+
+    return errors

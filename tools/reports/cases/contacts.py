@@ -150,14 +150,13 @@ def rms(values):
     return float(np.sqrt(np.mean(values**2)))
 
 
-def settings_of(meeting, short):
-    for number in (10, 40, 160) if short else (10, 20, 40, 80, 160, 320):
-        dt = meeting.exact[0] / number
-        steps = int(np.ceil(1.1 * number)) + 6
-        variables = {**meeting.variables, "speed": meeting.speed, "dt": f"{dt:.17g}", "steps": steps, "reach": f"{meeting.reach:.17g}",
-                     "n": 100 if short else 200}
-        yield lammps(meeting.series, f"T/{number} = {dt / meeting.critical:.2g} Δt_c", SCRIPT, variables, outcome(meeting, dt), loop=True,
-                     peer=meeting.peer)
+def setting_of(meeting, number, edge):
+    """a step of so many to the duration; edge: the root of the number of pairs"""
+    dt = meeting.exact[0] / number
+    variables = {**meeting.variables, "speed": meeting.speed, "dt": f"{dt:.17g}", "steps": int(np.ceil(1.1 * number)) + 6,
+                 "reach": f"{meeting.reach:.17g}", "n": edge}
+    return lammps(meeting.series, f"T/{number} = {dt / meeting.critical:.2g} Δt_c", SCRIPT, variables, outcome(meeting, dt), loop=True,
+                  peer=meeting.peer)
 
 
 def orders(points):
@@ -172,9 +171,10 @@ def orders(points):
 
 
 def case_of(name, title, text, met, short, apart=False):
-    names = ("duration", "velocity")
-    return Case(name, title, text, "law", "step", {"duration": "the duration", "velocity": "the velocity after"},
-                [setting for meeting in met for setting in settings_of(meeting, short)], exact_errors(names, dict), remarks=orders, apart=apart)
+    labels = {"duration": "the duration", "velocity": "the velocity after"}
+    numbers, edge = ((10, 40, 160), 100) if short else ((10, 20, 40, 80, 160, 320), 200)
+    return Case(name, title, text, "law", "step", labels, [setting_of(meeting, number, edge) for meeting in met for number in numbers],
+                exact_errors(tuple(labels), dict), remarks=orders, apart=apart)
 
 
 COLLISION_TEXT = """Elastic collisions of two grains of 1 and 1.6 m ([in.collisions](../../tools/reports/cases/in.collisions)), thousands at once, each

@@ -49,7 +49,7 @@ COLUMN_TEXT = """Scene [column-drop](../../examples/column-drop/README.md), {set
 
 
 def of_column(run):
-    return {name: float(run.thermo[f"v_{name}"][-1]) for name in ("x", "z", "height")}
+    return {name: float(run.thermo[f"v_{name}"][-1]) for name in ("x", "z")}
 
 
 def column(short, _):
@@ -63,7 +63,7 @@ def column(short, _):
                 for series, step, more in chosen]
     settings[-1].reference = True
     return Case("column", "Run-out of a column", COLUMN_TEXT.format(**times) + " " + SEEDS_TEXT, "friction", "step",
-                {"x": "the run-out", "z": "the height", "height": "the top"}, settings, against_reference(("x", "z", "height"), {}))
+                {"x": "the run-out", "z": "the height"}, settings, against_reference(("x", "z"), {}))
 
 
 # --- bed --------------------------------------------------------------------------------------------------
