@@ -31,7 +31,7 @@ settings that none beats in both. Dashed lines with open symbols: other programs
 means over several draws: ± and bars are standard errors of the difference, from the scatter of all settings together. An error smaller
 than its ± counts as that.
 
-$\\Delta t_c$ is the critical step of [compute potdem/timestep](../compute_potdem_timestep.md) at the start."""
+$\\Delta t_c$ is the critical step of [compute potdem/timestep](../../docs/compute_potdem_timestep.md) at the start."""
 
 
 def measure(case, repeats, work):

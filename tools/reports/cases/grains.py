@@ -12,7 +12,8 @@ SEEDS_TEXT = "A round is a draw of the diameters."
 
 HOPPER_TEXT = """Scene [hopper](../../examples/hopper/README.md), `rough`: friction 0.3 on walls and between grains, first {time} s. Reference:
 {{reference}}. *Curve*: root mean square, over time, of the difference in the share of the grains that have left both ledges, draw by
-draw. η: viscosity of the friction between grains; `auto` is the stiffest that the step allows, so that it grows stiffer as the step shrinks."""
+draw. η: viscosity of the friction between grains; `auto` is the stiffest that the step allows, so that it grows stiffer as the
+step shrinks. *No layer*: walls without the soft layer that the scene, as the thesis, has; another model, whose difference counts as error."""
 
 
 def of_hopper(run):
