@@ -29,7 +29,7 @@ step; for grains that of LAMMPS's loop. Settings ran in turn, one process at a t
 least to the most, points and tables are medians. *Error*: relative, against the reference that each case names. Grey: Pareto front, the
 settings that none beats in both. Dashed lines with open symbols: other programs and styles. Where a case is chaotic, its quantities are
 means over several draws: ± and bars are standard errors of the difference, from the scatter of all settings together. An error smaller
-than its ± counts as that.
+than its ± counts as that, so more draws (`--repeats`) would tell more.
 
 $\\Delta t_c$ is the critical step of [compute potdem/timestep](../../docs/compute_potdem_timestep.md) at the start."""
 
@@ -70,7 +70,7 @@ def error_cells(point):
 def recommended(case, points):
     """Markdown list; for each series where they are no substitutes for each other"""
     if not case.apart:
-        return "\n".join(f"* {line}" for line in work_precision.recommendations(points))
+        return "\n".join(f"* {line}" for line in work_precision.recommendations(points) + work_precision.indistinct(points))
     lines = []
     for series in dict.fromkeys(p.series for p in points):
         lines.append(f"* {series}")

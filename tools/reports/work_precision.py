@@ -98,6 +98,15 @@ def recommendations(points):
     return lines
 
 
+def indistinct(points):
+    """sentence: the cheapest whose errors with an uncertainty are all within twice that, or none"""
+    vague = [p for p in points if p.bars and all(p.errors[name] <= 2 * bar for name, bar in p.bars.items())]
+    if not vague:
+        return []
+    best = min(vague, key=lambda p: p.median)
+    return [f"within twice the uncertainty of the reference in all that has a ±: **{best.label}** ({best.median:.2g} s)"]
+
+
 COLOURS = plt.get_cmap("tab10").colors + plt.get_cmap("Dark2").colors
 MARKS = "osD^v<>Ph*Xd"
 

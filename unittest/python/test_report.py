@@ -45,6 +45,12 @@ def test_an_error_below_its_uncertainty_counts_as_that():
     assert work_precision.cheapest([vague, *POINTS], 0.1) is vague
 
 
+def test_what_cannot_be_told_from_the_reference():
+    found = work_precision.indistinct([point(1.0, 0.03, bars={"x": 0.01}), point(3.0, 0.01, bars={"x": 0.01}), point(2.0, 0.02, bars={"x": 0.01})])
+    assert len(found) == 1 and "**a, 2.0**" in found[0]
+    assert work_precision.indistinct(POINTS) == []
+
+
 def test_recommendations_name_each_setting_once_and_end_with_what_cannot_be_had():
     lines = work_precision.recommendations(POINTS)
     assert len(lines) == 4
@@ -103,6 +109,12 @@ def test_means_over_seeds():
     (errors, bars), (none, _) = bulk.against_reference(["n"], {})(found)
     assert errors["n"] == pytest.approx(0.1) and none["n"] == 0.0
     assert bars["n"] == pytest.approx(np.sqrt(2 * 2.5 / 3) / 10)
+
+
+def test_a_setting_that_is_far_off_lends_no_scatter():
+    found = [[{"n": value} for value in values] for values in ([100.0, 300.0], [9.0, 11.0])]
+    (_, bars), _ = bulk.against_reference(["n"], {})(found)
+    assert bars["n"] == pytest.approx(np.sqrt(2 * 2.0 / 2) / 10)
 
 
 def test_failed_runs_have_infinite_errors():

@@ -20,7 +20,7 @@ PACE = """fix pace all potdem/timestep 20 {fraction} max {longest}
 variable late equal time
 fix stop all halt 10 v_late > ${{time}} error continue message no
 run 1000000000"""
-BULK = ("broken", "fracture", "pieces")
+BULK = ("broken", "fracture")
 APART = 0.01    # of the range of a motion
 
 
@@ -63,6 +63,13 @@ def partings(settings, quantities):
     return f"The motion is within {100 * APART:g} % of the reference's until, in the mean, " + "; ".join(parts) + "."
 
 
+def pieces(settings, quantities):
+    """sentence: few, so that a relative error would say little"""
+    counts = [", ".join(f"{run['pieces']:.0f}" for run in runs) if all(runs) else "failed" for runs in quantities]
+    parts = [f"{setting.series}, {setting.knob}: {count}" for setting, count in zip(settings, counts)]
+    return "Pieces at the end, draw by draw: " + "; ".join(parts) + "."
+
+
 def breaking(name, title, text, scene, settings, columns, variables, every, folder):
     """settings: steps in s, the reference last, or words 'fraction longest' of fix potdem/timestep; every: s between outputs"""
     script = EXAMPLES / scene / f"in.{scene}"
@@ -79,11 +86,10 @@ def breaking(name, title, text, scene, settings, columns, variables, every, fold
         lines = RUN.format(columns=" ".join(columns), every=max(1, round(every / step)), run=run)
         made.append(lammps(series, knob, ending(script, lines), seeded({**variables, "dt": step}), quantities_of(columns)))
     made[-1].reference = True
-    labels = {"path": "the motion before the first break", "broken": "the number of broken bonds", "fracture": "the fracture energy",
-              "pieces": "the number of pieces"}
+    labels = {"path": "the motion before the first break", "broken": "the number of broken bonds", "fracture": "the fracture energy"}
 
     def errors(quantities):
-        seen.append(partings(made, quantities))
+        seen.extend([partings(made, quantities), pieces(made, quantities)])
         return against_reference(BULK, {"path": path_error})(quantities)
 
     return Case(name, title, text + "\n\n" + READING.replace("{motion}", ", ".join(column[2:] for column in columns)), "step", "value", labels, made, errors, remarks=lambda points: seen)

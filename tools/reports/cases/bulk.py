@@ -11,11 +11,12 @@ def seeded(variables):
 
 
 def standard_error(groups):
-    """of the difference of two means, relative to the mean of the last group; the scatter is that of all groups together, because that of a
-    few seeds is hardly known"""
-    number = len(groups[-1])
-    variance = np.mean([np.var(group, ddof=1) for group in groups]) if number > 1 else 0.0
-    return float(np.sqrt(2 * variance / number) / abs(np.mean(groups[-1])))
+    """of the difference of two means, relative to the mean of the last group. The scatter of a few seeds is hardly known, so it is taken
+    from all groups together, but those that are far off, whose scatter is another"""
+    known, number = np.mean(groups[-1]), len(groups[-1])
+    near = [group for group in groups if abs(np.mean(group) - known) < 0.5 * abs(known)]
+    variance = np.mean([np.var(group, ddof=1) for group in near]) if number > 1 else 0.0
+    return float(np.sqrt(2 * variance / number) / abs(known))
 
 
 def against_reference(bulk, of_runs):
