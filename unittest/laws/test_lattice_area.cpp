@@ -95,6 +95,20 @@ TEST(LatticeArea, GivesTheModulusUnderUniaxialTension)
   }
 }
 
+// every shell up to three diameters, from the first with which the lattice is stiff
+TEST(LatticeArea, GivesTheModulusForEveryReach)
+{
+  const std::pair<Lattice, double> first[] = {{Lattice::CUBIC, 1.42}, {Lattice::FCC, 1.0}, {Lattice::BCC, 1.16}};
+  for (const auto &[lattice, least] : first)
+    for (double reach = least; reach < 3.0; reach += 0.03) {
+      const auto crystal = pull(lattice, reach);
+      const auto answer = lattice_area(lattice, reach);
+      EXPECT_EQ(answer.bonds, crystal.bonds) << reach;
+      EXPECT_NEAR(answer.area_factor * M_PI / 4.0 * crystal.modulus, 1.0, 1e-12) << reach;
+      EXPECT_NEAR(answer.poisson, crystal.poisson, 1e-12) << reach;
+    }
+}
+
 // the reach is measured on bonds, so it carries their rounding
 TEST(LatticeArea, TheShellAtTheReachBelongs)
 {
@@ -142,7 +156,7 @@ TEST(LatticeArea, HexagonalPacking)
 // Gauss-Newton sweeps on each unknown in turn, is that of the modulus 1
 TEST(LatticeArea, HexagonalPackingGivesTheModulusInItsBasalPlane)
 {
-  for (const double reach : {1.0, 1.5, 2.0}) {
+  for (const double reach : {1.0, 1.42, 1.64, 1.75, 1.92, 2.0, 2.25, 2.5}) {
     const auto answer = lattice_area(Lattice::HCP, reach);
     const double area = 0.25 * M_PI * answer.area_factor, height = std::sqrt(8.0 / 3.0), row = std::sqrt(3.0);
     std::vector<std::array<double, 7>> terms;    // length and factors of exx eyy ezz ux uy uz
