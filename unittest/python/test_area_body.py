@@ -80,6 +80,17 @@ def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     assert ratio["frequency"] == pytest.approx(1.0, abs=0.05)
 
 
+@pytest.mark.parametrize("lattice, depth", [("cubic", 10), ("fcc", 9.9)])
+def test_ten_particles_through_the_depth(run_lammps, tmp_path, lattice, depth):
+    """tip and frequency within 2 %, clamped where the free particles begin"""
+    body = networks.beam(lattice, depth, 80)
+    _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body)
+    ratio = networks.measure(body, pairs, areas, 2.0)
+    assert ratio["axial"] == pytest.approx(1.0, abs=0.01)
+    for what in ("bending", "tip", "frequency"):
+        assert ratio[what] == pytest.approx(1.0, abs=0.02)
+
+
 @pytest.mark.parametrize("seed", [1, 2])
 def test_stiffness_of_a_random_packing(run_lammps, tmp_path, seed):
     """within 5 % of the box, in tension and in bending. The mass is that of the solid box, so that `density` gives its
