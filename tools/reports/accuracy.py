@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import work_precision  # noqa: E402
 import writing  # noqa: E402
 from cases import CASES, Unavailable, keep_calculix  # noqa: E402
+from lammps_run import logfile  # noqa: E402
 
 INTRODUCTION = """# Error against run time
 
@@ -152,12 +153,14 @@ def main(argv):
         for name in arguments.case or CASES:
             try:
                 case = CASES[name](arguments.short, work / name)
-            except Unavailable as reason:
-                skipped.append(f"* {name} is left out: {reason}.")
+                made = (case, *points_of(case, arguments.repeats, work / name))
+            except (Unavailable, LookupError, ValueError, logfile.LogError) as reason:
+                # a scene that has changed must not cost the other cases
+                skipped.append(f"* {name} is left out: {type(reason).__name__}: {reason}.")
                 print(skipped[-1], file=sys.stderr, flush=True)
                 continue
-            cases.append((case, *points_of(case, arguments.repeats, work / name)))
-            write_data(*cases[-1][:2], out)
+            cases.append(made)
+            write_data(*made[:2], out)
     minutes = (time.monotonic() - start) / 60
     (out / "accuracy.md").write_text(page(arguments, cases, skipped, machine, minutes), encoding="utf-8")
     print(f"written in {minutes:.1f} minutes: {(out / 'accuracy.md').relative_to(writing.ROOT)}")

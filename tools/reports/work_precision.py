@@ -130,7 +130,7 @@ def _line(axes, points, name, number):
 def _plain_ticks(axis):
     """1, 2, 5, 10 on a short logarithmic axis, powers of ten on a long one"""
     low, high = axis.get_view_interval()
-    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if high < 50 * low else (1,)))
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if high < 200 * low else (1,)))
     axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
     axis.set_minor_formatter(ticker.NullFormatter())
 
@@ -144,7 +144,7 @@ def _panel(axes, points, name, floor, with_front):
         return
     places = np.array([[p.median, 100 * p.error(name)] for p in best])
     if with_front:
-        axes.plot(*places.T, color="0.75", linewidth=6, zorder=0, solid_capstyle="round", label="Pareto front")
+        axes.plot(*places.T, color="0.75", linewidth=6, zorder=0.8, solid_capstyle="round", label="Pareto front")
     if floor:
         axes.axhline(100 * floor, color="0.4", linestyle=":", linewidth=1, label="uncertainty of the reference")
     axes.set(xscale="log", yscale="log", xlabel="processor seconds")

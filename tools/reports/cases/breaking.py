@@ -116,6 +116,6 @@ def beam_impact(speed):
 
 def cylinder_impact(short, folder):
     time = 0.3 if short else 0.5
-    settings = [2e-4, 1e-4, "0.4 2e-3", 5e-5] if short else [8e-4, 4e-4, 2e-4, 1e-4, 5e-5, "0.8 2e-3", "0.4 2e-3", "0.2 2e-3", 1.25e-5]
+    settings = [2e-4, 1e-4, "0.4 2e-3", 5e-5] if short else [4e-4, 2e-4, 1e-4, 5e-5, "0.8 2e-3", "0.4 2e-3", "0.2 2e-3", 1.25e-5]
     return breaking("cylinder-impact", "A cylinder breaks on a plane (cylinder-impact)", CYLINDER_TEXT.format(time=time), "cylinder-impact", settings,
                     ("v_height", "v_speed"), {"strength": 1e6, "time": time, "picture": "no"}, 5e-4, folder)

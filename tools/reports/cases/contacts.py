@@ -172,7 +172,7 @@ def orders(points):
 
 def case_of(name, title, text, met, short, apart=False):
     labels = {"duration": "the duration", "velocity": "the velocity after"}
-    numbers, edge = ((10, 40, 160), 100) if short else ((10, 20, 40, 80, 160, 320), 200)
+    numbers, edge = ((10, 40, 160), 100) if short else ((10, 20, 40, 80, 160, 320), 150)
     return Case(name, title, text, "law", "step", labels, [setting_of(meeting, number, edge) for meeting in met for number in numbers],
                 exact_errors(tuple(labels), dict), remarks=orders, apart=apart)
 

@@ -27,7 +27,7 @@ def curve_error(found, known):
 
 
 def hopper(short, _):
-    time = 0.3 if short else 0.4
+    time = 0.2 if short else 0.4
     steps = [1e-4, 5e-5, 1.25e-5] if short else [1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6]
     chosen = [("η auto, soft layer", step, {}) for step in steps]
     chosen[-1:-1] = [("η = 1 kg/s, soft layer", 5e-5, {"eta": 1})] + ([] if short else [

@@ -192,15 +192,16 @@ def of_profile(run):
 def bar_models(short):
     """(area or bpm, r_infl over d, particles through the depth) -> fractions of the critical step"""
     steps = (0.9, 0.5, 0.2)
-    found = {("body", 2.0, 5): steps, ("lattice", 2.0, 5): steps[:2], ("factor 0.4", 2.0, 5): steps[:1],
-             ("factor, tuned", 2.0, 5): steps, ("bpm", 2.0, 5): steps[:2], ("body", 1.42, 5): steps[:2], ("lattice", 2.0, 3): steps[:1]}
+    few = steps[:1] if short else steps
+    found = {("body", 2.0, 5): few, ("lattice", 2.0, 5): steps[:2], ("factor 0.4", 2.0, 5): steps[:1],
+             ("factor, tuned", 2.0, 5): steps, ("bpm", 2.0, 5): steps[:2], ("body", 1.42, 5): few, ("lattice", 2.0, 3): steps[:1]}
     if short:
         return found
     for reach in (1.75, 2.5):
         found["body", reach, 5] = (0.9, 0.5)
     for model in (("bpm", 1.42, 5), ("factor, tuned", 1.42, 5), ("lattice", 2.0, 7), ("bpm", 2.0, 7), ("factor, tuned", 2.0, 7)):
         found[model] = (0.9, 0.5)
-    return {**found, ("bpm", 2.0, 5): steps, ("body", 1.42, 5): steps, ("body", 1.42, 7): (0.9, 0.5), ("body", 2.0, 7): (0.9,)}
+    return {**found, ("bpm", 2.0, 5): steps, ("body", 1.42, 7): (0.9,), ("body", 2.0, 7): (0.9,)}
 
 
 def bar_area(area, reach, depth):
