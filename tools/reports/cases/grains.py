@@ -85,7 +85,7 @@ BED_SERIES = {
 BED_TEXT = """768 grains of 10 mm, friction 0.3, fall into a box and come to rest ([in.bed](../../tools/reports/cases/in.bed)), 0.4 s. All
 styles have the same Hertz contact with the same viscosity, rolling, and this package's walls. Reference: {reference}. Its friction
 is a spring that remembers the sliding, so it holds grains at rest; that of `potdem/hertz` resists sliding by a viscosity η and
-creeps: part of its error is that of the model, and no step cures it where η is given. Walls are bare, but for *soft layer*."""
+creeps: part of its error is that of the model. Walls are bare, but for *soft layer*."""
 
 
 def of_bed(run):
