@@ -194,3 +194,33 @@ def test_a_bounded_law_survives_what_the_law_itself_does_not(run_lammps, law, co
     run_lammps(script, expect_error="not beyond the smallest distance")
     ends = {"lj": "linear 0.1", "granular": "linear 0.5"}[law]
     assert kinds(run_lammps(script.replace(coeff, f"{coeff} {ends}"))) == []
+
+
+def test_a_bounded_law_at_a_wall(run_lammps):
+    wall = "law granular 10 4 0.2"
+    script = on_wall(1e-4, 0.0, wall, 5).replace("0.52", "0.38")    # r0 = 0.4
+    run_lammps(script, expect_error="not beyond the smallest distance 0.4")
+    assert kinds(run_lammps(script.replace(wall, f"{wall} linear 0.5"))) == []
+
+
+def force_of(run_lammps, law, first, second, explicit=""):
+    rows = [(0, 0, 0, 1.0, 1), (0.82, 0, 0, 1.0, 2)]
+    script = scripts.box(20, types=2) + scripts.particles(rows) + f"""
+pair_style potdem/{law}
+pair_coeff 1 1 {first}
+pair_coeff 2 2 {second}
+{explicit and f'pair_coeff 1 2 {explicit}'}
+run 0
+""" + scripts.result("fx[2]", "pe")
+    return scripts.results(run_lammps(script).stdout)[-1]
+
+
+@pytest.mark.parametrize("law, one, other, mixed", [
+    ("lj", "100 0.2 2 0.2 linear 0.1", "300 0.2 2 0.2 linear 0.16", "150 0.2 2 0.2 linear 0.13"),
+    ("lj", "100 0.2 2 0.2 linear 0.1", "300 0.2 2 0.2", "150 0.2 2 0.2"),
+    ("granular", "100 4 0.2 linear 0.5", "300 4 0.2 linear 0.9", "150 4 0.2 linear 0.9"),
+    ("granular", "100 4 0.2", "300 4 0.2 linear 0.9", "150 4 0.2"),
+])
+def test_mixed_ends(run_lammps, law, one, other, mixed):
+    """s = 0.02: far in the straight part, if there is one"""
+    assert force_of(run_lammps, law, one, other) == pytest.approx(force_of(run_lammps, law, one, other, mixed), rel=1e-12)
