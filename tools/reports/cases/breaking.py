@@ -92,15 +92,16 @@ def breaking(name, title, text, scene, settings, columns, variables, every, fold
         seen.extend([partings(made, quantities), pieces(made, quantities)])
         return against_reference(BULK, {"path": path_error})(quantities)
 
-    return Case(name, title, text + "\n\n" + READING.replace("{motion}", ", ".join(column[2:] for column in columns)), "step", "value", labels, made, errors, remarks=lambda points: seen)
+    reading = READING.replace("{motion}", ", ".join(column[2:] for column in columns))
+    return Case(name, title, text + "\n\n" + reading, "step", "value", labels, made, errors, remarks=lambda points: seen)
 
 
 READING = """Reference: {reference}. *Motion*: of {motion}; largest deviation, over its range, until something breaks in
 either run. After that single paths are chaotic, and means over the draws of the diameters, one a round, are compared."""
 
 BEAM_TEXT = """Scene [beam-impact](../../examples/beam-impact/README.md), position {position}, {time} s, with less output."""
-CYLINDER_TEXT = """Scene [cylinder-impact](../../examples/cylinder-impact/README.md), strength 1 MPa, {time} s. Here the contact with the rigid plane sets the step,
-and there is none at the start: $\\Delta t_c$ is that of the bonds."""
+CYLINDER_TEXT = """Scene [cylinder-impact](../../examples/cylinder-impact/README.md), strength 1 MPa, {time} s. Here the contact with the
+rigid plane sets the step, and there is none at the start: $\\Delta t_c$ is that of the bonds."""
 
 
 def beam_impact(speed):
@@ -117,5 +118,5 @@ def beam_impact(speed):
 def cylinder_impact(short, folder):
     time = 0.3 if short else 0.5
     settings = [2e-4, 1e-4, "0.4 2e-3", 5e-5] if short else [4e-4, 2e-4, 1e-4, 5e-5, "0.8 2e-3", "0.4 2e-3", "0.2 2e-3", 1.25e-5]
-    return breaking("cylinder-impact", "A cylinder breaks on a plane (cylinder-impact)", CYLINDER_TEXT.format(time=time), "cylinder-impact", settings,
-                    ("v_height", "v_speed"), {"strength": 1e6, "time": time, "picture": "no"}, 5e-4, folder)
+    return breaking("cylinder-impact", "A cylinder breaks on a plane (cylinder-impact)", CYLINDER_TEXT.format(time=time),
+                    "cylinder-impact", settings, ("v_height", "v_speed"), {"strength": 1e6, "time": time, "picture": "no"}, 5e-4, folder)

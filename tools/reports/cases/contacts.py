@@ -166,7 +166,8 @@ def orders(points):
         finest = [p for p in points if p.series == series][-3:]
         steps = [1 / float(p.knob[2:].split()[0]) for p in finest]
         found = {name: order(steps, [p.errors[name] for p in finest]) for name in finest[0].errors}
-        lines.append(f"{series}: the error of the duration goes with the step to the power {found['duration']:.1f}, of the velocity {found['velocity']:.1f}.")
+        lines.append(f"{series}: the error of the duration goes with the step to the power {found['duration']:.1f}, "
+                     f"of the velocity {found['velocity']:.1f}.")
     return lines
 
 
@@ -177,8 +178,8 @@ def case_of(name, title, text, met, short, apart=False):
                 exact_errors(tuple(labels), dict), remarks=orders, apart=apart)
 
 
-COLLISION_TEXT = """Elastic collisions of two grains of 1 and 1.6 m ([in.collisions](../../tools/reports/cases/in.collisions)), thousands at once, each
-beginning at another place within a step; the errors are root mean squares over them. Reference: the equation of motion, integrated to
+COLLISION_TEXT = """Elastic collisions of two grains of 1 and 1.6 m ([in.collisions](../../tools/reports/cases/in.collisions)), thousands at once,
+each beginning at another place within a step; the errors are root mean squares over them. Reference: the equation of motion, integrated to
 10⁻¹² with the laws of [formulas.py](../../examples/contact-laws/formulas.py). *T*: exact duration, from the distance at which the force begins
 to where it ends. $\\Delta t_c$: critical step where the particles turn back.
 

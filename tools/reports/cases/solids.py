@@ -125,8 +125,9 @@ def bundled_calculix(error_of, installed, floors=None):
 
 BEAM_TEXT = r"""Scene [beam-impulse](../../examples/beam-impulse/README.md), pulse $f_1$, 20 ms. Reference: CalculiX, plane stress, 50 × 5 quadratic
 elements, 20 µs, clamped in the last clamped layer of particles, where the scene's page finds that the clamp acts. For other numbers of
-particles through the depth the reference is corrected, by the modes of a Timoshenko beam, for the half layer behind the load. {calculix} *Model*: area of the
-bonds, $r_{{\mathrm{{infl}}}}$, particles through the depth.
+particles through the depth the reference is corrected, by the modes of a Timoshenko beam, for the half layer behind the load. {calculix}
+
+*Model*: area of the bonds, $r_{{\mathrm{{infl}}}}$, particles through the depth.
 
 *Dotted* and ±: uncertainty of the reference, the larger of what 20 µs instead of 40 µs and 50 × 5 instead of 25 × 3 elements change in
 it."""
@@ -228,8 +229,8 @@ def bar_settings(short, folder):
                          peer=area == "bpm")
 
 
-BAR_TEXT = r"""A free bar, 1 × 1 × 120 ([in.bar](../../tools/reports/cases/in.bar)), is struck over a width of 4 in its middle; after 40 units of time the two
-pulses have run 40 times the bar's width. Reference: d'Alembert, $v=\frac12[V(x-ct)+V(x+ct)]$ with $c=\sqrt{E/\rho}$. *Profile*: norm of the
+BAR_TEXT = r"""A free bar, 1 × 1 × 120 ([in.bar](../../tools/reports/cases/in.bar)), is struck over a width of 4 in its middle; after 40
+units of time the two pulses have run 40 times the bar's width. Reference: d'Alembert, $v=\frac12[V(x-ct)+V(x+ct)]$ with $c=\sqrt{E/\rho}$. *Profile*: norm of the
 difference in velocity over that of the pulses. *Speed*: of the momentum that runs to the right. A real bar does not quite follow
 d'Alembert either: its lateral inertia slows waves by about $\nu^2 k^2a^2/12$, here %.1g for $\nu$ = 0.25. *Model* as above.
 
