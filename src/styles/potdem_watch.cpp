@@ -96,6 +96,13 @@ void PotdemWatch::check_critical()
   if (comm->me == 0) error->warning(FLERR, text);
 }
 
+template <typename Words> void PotdemWatch::say(Reason reason, const Words &words)
+{
+  if (!said[reason].empty()) return;
+  said[reason] = words();
+  error->warning(FLERR, said[reason]);
+}
+
 // a particle that passes its own radius in a step may pass others unseen. Lists are rebuilt when particles have
 // moved far, so this is the place to look
 void PotdemWatch::post_neighbor()
@@ -106,11 +113,13 @@ void PotdemWatch::post_neighbor()
     const double *v = atom->v[i], r = atom->radius[i];
     const double moved2 = step2 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if (!(moved2 > r * r) || !(atom->mask[i] & moving)) continue;
-    say(JUMP,
-        fmt::format("Atom {} moves {:.3g} times its radius in one timestep on step {}, contacts "
-                    "may be missed; use "
-                    "a shorter timestep, or find out what makes it so fast",
-                    atom->tag[i], std::sqrt(moved2) / r, update->ntimestep));
+    say(JUMP, [&] {
+      return fmt::format(
+          "Atom {} moves {:.3g} times its radius in one timestep on step {}, contacts "
+          "may be missed; use "
+          "a shorter timestep, or find out what makes it so fast",
+          atom->tag[i], std::sqrt(moved2) / r, update->ntimestep);
+    });
     return;
   }
 }
@@ -141,57 +150,59 @@ bool PotdemWatch::is_hasty(double stiffness, double inverse_masses) const
 
 void PotdemWatch::hasty_pair(const std::string &what, int i, int j, double stiffness)
 {
-  say(HASTY,
-      fmt::format("{} atoms {} and {} on step {} is so stiff that half a period takes {:.2g} "
-                  "timesteps, too few for "
-                  "its energy; use a shorter timestep, or fix potdem/timestep",
-                  what, atom->tag[i], atom->tag[j], update->ntimestep,
-                  steps_of(stiffness, inverse_mass(i) + inverse_mass(j))));
+  say(HASTY, [&] {
+    return fmt::format("{} atoms {} and {} on step {} is so stiff that half a period takes {:.2g} "
+                       "timesteps, too few for "
+                       "its energy; use a shorter timestep, or fix potdem/timestep",
+                       what, atom->tag[i], atom->tag[j], update->ntimestep,
+                       steps_of(stiffness, inverse_mass(i) + inverse_mass(j)));
+  });
 }
 
 void PotdemWatch::hasty_wall(const std::string &wall, int i, double stiffness)
 {
-  say(HASTY,
-      fmt::format("The contact of atom {} with {} on step {} is so stiff that half a period takes "
-                  "{:.2g} timesteps, "
-                  "too few for its energy; use a shorter timestep, or fix potdem/timestep",
-                  atom->tag[i], wall, update->ntimestep, steps_of(stiffness, inverse_mass(i))));
+  say(HASTY, [&] {
+    return fmt::format(
+        "The contact of atom {} with {} on step {} is so stiff that half a period takes "
+        "{:.2g} timesteps, "
+        "too few for its energy; use a shorter timestep, or fix potdem/timestep",
+        atom->tag[i], wall, update->ntimestep, steps_of(stiffness, inverse_mass(i)));
+  });
 }
 
 void PotdemWatch::deep_pair(int i, int j, double fraction)
 {
-  say(DEPTH,
-      fmt::format("Atoms {} and {} are {:.2g} of their mean diameter apart on step {}, too deep in "
-                  "each other for a law "
-                  "of contact; use a shorter timestep, a law that pushes harder, or start them "
-                  "further apart",
-                  atom->tag[i], atom->tag[j], fraction, update->ntimestep));
+  say(DEPTH, [&] {
+    return fmt::format(
+        "Atoms {} and {} are {:.2g} of their mean diameter apart on step {}, too deep in "
+        "each other for a law "
+        "of contact; use a shorter timestep, a law that pushes harder, or start them "
+        "further apart",
+        atom->tag[i], atom->tag[j], fraction, update->ntimestep);
+  });
 }
 
 void PotdemWatch::deep_wall(const std::string &wall, int i, double fraction)
 {
-  say(DEPTH,
-      fmt::format("The centre of atom {} is {:.2g} of its radius from {} on step {}, too deep for "
-                  "a law of contact; use "
-                  "a shorter timestep, a stiffer wall, or start it further away",
-                  atom->tag[i], fraction, wall, update->ntimestep));
+  say(DEPTH, [&] {
+    return fmt::format(
+        "The centre of atom {} is {:.2g} of its radius from {} on step {}, too deep for "
+        "a law of contact; use "
+        "a shorter timestep, a stiffer wall, or start it further away",
+        atom->tag[i], fraction, wall, update->ntimestep);
+  });
 }
 
 void PotdemWatch::crushed(int i, int j, double fraction)
 {
-  say(CRUSH,
-      fmt::format("The bond between atoms {} and {} is crushed to {:.2g} of its length on step {}, "
-                  "where a truss has "
-                  "lost its stiffness; use 'penetration' in bond_coeff, a compressive strength, or "
-                  "a shorter timestep",
-                  atom->tag[i], atom->tag[j], fraction, update->ntimestep));
-}
-
-void PotdemWatch::say(Reason reason, const std::string &text)
-{
-  if (!said[reason].empty()) return;
-  said[reason] = text;
-  error->warning(FLERR, text);
+  say(CRUSH, [&] {
+    return fmt::format(
+        "The bond between atoms {} and {} is crushed to {:.2g} of its length on step {}, "
+        "where a truss has "
+        "lost its stiffness; use 'penetration' in bond_coeff, a compressive strength, or "
+        "a shorter timestep",
+        atom->tag[i], atom->tag[j], fraction, update->ntimestep);
+  });
 }
 
 // the first rank writes the log: it repeats what only others have seen

@@ -58,7 +58,8 @@ class PotdemWatch : public Fix {
   std::unique_ptr<class ComputePotdemTimestep> critical;
   int moving;    // group bits of what a time integration moves by forces
 
-  void say(Reason, const std::string &text);
+  // a warning is put into words only if it is the first of its kind: loops may ask for it again and again
+  template <typename Words> void say(Reason, const Words &words);
   void check_critical();
   int find_moving() const;
   double inverse_mass(int i) const;    // 0: held
