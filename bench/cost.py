@@ -10,6 +10,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "tools" / "reports"))
+import writing  # noqa: E402
+
 LMP = HERE.parent / "build" / "lmp"
 LEDGER = ("compute ledger all potdem/energy", "fix mean all ave/time 1 1 1 c_ledger")
 PACE = "fix pace all potdem/timestep 1 0.1 max 0.02"
@@ -145,14 +148,26 @@ def spread(values, digits=1):
 
 
 def report(found, shares):
+    parts = []
     for title, cases in TABLES.items():
-        print(f"\n| {title} | ns each and step | per |\n|---|---|---|")
-        for case, costs in zip(cases, zip(*found[title])):
-            print(f"| {case.name} | {spread(costs)} | {case.per} |")
-    print()
-    for title, ours, theirs, text in COMPARED:
-        print(f"* {text}: {spread([costs[ours] / costs[theirs] for costs in found[title]], 2)}")
-    print(f"* pair part of the loop in the intact solid: {spread(shares)} %")
+        rows = [(case.name, spread(costs), case.per) for case, costs in zip(cases, zip(*found[title]))]
+        parts.append(writing.table((title, "ns each and step", "per"), rows))
+    ratios = [f"* {text}: {spread([costs[ours] / costs[theirs] for costs in found[title]], 2)}"
+              for title, ours, theirs, text in COMPARED]
+    return "\n\n".join([*parts, "\n".join([*ratios, f"* pair part of the loop in the intact solid: {spread(shares)} %"])])
+
+
+PAGE = """# What each feature costs
+
+Made by `bench/run --page`. {size} particles of [in.cost](../../bench/in.cost), {steps} steps on one core, all cases in turn; median
+(least to most) of {repeats} rounds. Costs of bonds and contacts are those of LAMMPS's Bond and Pair sections, what a feature adds is
+the difference of two loops, and the cost of walls that of the Modify section without the integration. That a feature which a script does not
+use runs no code and communicates nothing is what `unittest/python/test_left_out.py` shows.
+
+{machine}
+
+{tables}
+"""
 
 
 def main(argv):
@@ -160,10 +175,14 @@ def main(argv):
     parser.add_argument("--size", type=int, default=40, help="particles along an edge (default 40: 64 000)")
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--page", action="store_true", help="for maintainers: write docs/report/cost.md as well")
     arguments = parser.parse_args(argv)
-    found, shares = rounds(arguments)
-    print(f"{arguments.size**3} particles, {arguments.steps} steps, one core; median (least to most) of {arguments.repeats} rounds")
-    report(found, shares)
+    machine = writing.table(("machine", ""), writing.machine())
+    tables = report(*rounds(arguments))
+    print(tables)
+    if arguments.page:
+        page = PAGE.format(size=arguments.size**3, steps=arguments.steps, repeats=arguments.repeats, machine=machine, tables=tables)
+        (writing.folder(short=False) / "cost.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

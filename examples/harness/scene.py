@@ -1,6 +1,7 @@
 """A scene: a folder with in.<scene>, scene.yaml, reference logs and perhaps plot.py."""
 
 import importlib.util
+import sys
 from pathlib import Path
 
 import yaml
@@ -57,10 +58,13 @@ class Scene:
         return path if path.exists() else None
 
     def load(self, program):
-        """claims.py or plot.py as a module"""
+        """claims.py or plot.py as a module; what it imports from the scene's folder is forgotten, for another scene may use the name"""
         spec = importlib.util.spec_from_file_location(f"{program.stem}_of_{self.name.replace('-', '_')}", program)
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
+        for name, known in list(sys.modules.items()):
+            if Path(getattr(known, "__file__", None) or "/").parent == self.folder:
+                del sys.modules[name]
         return module
 
 

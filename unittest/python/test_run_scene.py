@@ -203,6 +203,21 @@ def test_a_scene_without_a_film_says_so(with_reference):
     assert run.returncode == 1 and "flight has no animation" in run.stdout
 
 
+def test_scenes_may_have_modules_of_the_same_name(with_reference):
+    """each scene's claims read their own"""
+    other = shutil.copytree(with_reference.scene, with_reference.scene.parent / "gliding")
+    for scene, claim in ((with_reference.scene, "3"), (other, "4")):
+        (scene / "scan.py").write_text(f"NUMBER = '{claim}'\n")
+        (scene / "claims.py").write_text("import sys\nfrom pathlib import Path\nsys.path.insert(0, str(Path(__file__).parent))\n"
+                                         "import scan\nfrom claim import Claim\ndef claims(folder_of):\n"
+                                         "    return [Claim(scan.NUMBER, Path(__file__).parent.name, '', '', 'yes')]\n")
+    for file in list(other.glob("*flight*")):
+        file.rename(file.parent / file.name.replace("flight", "gliding"))
+    run = with_reference(program="run_all.py")
+    assert run.returncode == 0, run.stdout
+    assert "| 3 | flight |" in run.stdout and "| 4 | gliding |" in run.stdout
+
+
 def test_a_failed_run_is_told_and_leaves_out_its_claims(with_reference):
     (with_reference.scene / "in.flight").write_text("units si\npair_style no/such/style\n")
     run = with_reference(program="run_all.py")
