@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""Claim 10 measured: the final shape of the heap, for several readings of its height and width.
+
+  claims.py FOLDER ...                     of examples/run: build/examples/column-drop/<variant>.np<ranks>
+  claims.py NAME=VALUE[,VALUE ...] ...     new runs, e.g. claims.py mu_grain=0,0.3,0.5 seed=1,2,3
+
+For each run: h0/r0 of the settled column; h_f; r_f, from the right wall to the foremost grain of the heap; h_f/r_f; the
+same with the width within which 99 % and 95 % of the mass lie, and with that of a triangle of the heap's height and side area. The
+heap is the largest set of grains that touch one another; h_f is its highest point within two mean diameters of the right wall.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "harness"))
+import dumpfile  # noqa: E402
+import logfile  # noqa: E402
+import scanning  # noqa: E402
+from claim import Claim  # noqa: E402
+
+D = 0.018              # m, mean diameter
+TOUCH = 0.02 * D       # m: gap that counts as a contact
+THESIS, REFERENCE = 0.2230, 0.2185    # h_f/r_f
+READINGS = {"standard deviation 5 mm": "sd5", "variance 5 mm²": "var5"}
+SEEDS = (1, 2, 3, 4, 5)
+
+
+def heap(frame):
+    """mask of the largest set of grains that touch one another"""
+    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
+    radius = frame["radius"]
+    i, j = cKDTree(points).query_pairs(2 * radius.max() + TOUCH, output_type="ndarray").T
+    touch = np.linalg.norm(points[i] - points[j], axis=1) < radius[i] + radius[j] + TOUCH
+    graph = coo_matrix((np.ones(touch.sum()), (i[touch], j[touch])), shape=(len(points), len(points)))
+    _, label = connected_components(graph, directed=False)
+    return label == np.bincount(label).argmax()
+
+
+def mass_centre(frame):
+    return np.average(frame["z"], weights=frame["radius"] ** 3)
+
+
+def parameters(folder):
+    given = logfile.parameters(next(Path(folder).glob("log.*")).read_text(encoding="utf-8"))
+    return float(given["r0"]), float(given["released"])
+
+
+def shape(folder):
+    """(h0/r0, h_f, {reading of r_f: r_f}, share of the grains in the heap)"""
+    frames = dumpfile.read_run(folder, "dump.column-drop")
+    r0, released = parameters(folder)
+    slender = 2 * mass_centre(dumpfile.at(frames, released)) / r0    # the column is a block
+    last = frames[-1]
+    inside = heap(last)
+    x, z, radius = (last[name][inside] for name in ("x", "z", "radius"))
+    height = (z + radius)[x > r0 - 2 * D].max()
+    front = np.sort(r0 - x + radius)
+    order = np.argsort(r0 - x)
+    mass = np.cumsum(radius[order] ** 3)
+    within = {share: (r0 - x)[order][np.searchsorted(mass, share * mass[-1])] for share in (0.99, 0.95)}
+    area = r0 * r0 * slender * mass[-1] / np.sum(last["radius"] ** 3)    # of the heap's side, as dense as the column
+    widths = {"foremost": front[-1], "99 %": within[0.99], "95 %": within[0.95], "triangle": 2 * area / height}
+    return slender, height, widths, inside.mean()
+
+
+def measure(folder):
+    slender, height, widths, inside = shape(folder)
+    ratios = ", ".join(f"{name} {height / width:.3f}" for name, width in widths.items())
+    return (f"h0/r0 {slender:.3f}; h_f {height:.3f} m, r_f {widths['foremost']:.3f} m; h_f/r_f {ratios}; "
+            f"{100 * inside:.1f} % in the heap")
+
+
+def claims(folder_of):
+    """for the table of examples/run all"""
+    found = []
+    for letter, (reading, name) in zip("ab", READINGS.items()):
+        shapes = [shape(folder_of(f"{name}-{seed}")) for seed in SEEDS]
+        ratios = np.array([[height / widths[which] for which in ("foremost", "99 %")] for _, height, widths, _ in shapes])
+        mean, spread = ratios.mean(axis=0), ratios.std(axis=0, ddof=1)
+        near = abs(mean - THESIS) < 2 * spread
+        measured = (f"{len(SEEDS)} seeds: {mean[0]:.3f} ± {spread[0]:.3f} with the foremost grain of the heap, "
+                    f"{mean[1]:.3f} ± {spread[1]:.3f} with 99 % of its mass")
+        verdict = "yes" if near[0] else "partly: by 99 % of the mass" if near[1] else "no"
+        found.append(Claim(f"10{letter}", f"column-drop, {reading}: h_f/r_f", f"{THESIS:.4f} (its reference: {REFERENCE:.4f})",
+                           measured, verdict))
+    return found
+
+
+if __name__ == "__main__":
+    scanning.main(HERE, measure, sys.argv[1:])

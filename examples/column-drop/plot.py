@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+"""plot.py FOLDER [FOLDER ...] PICTURE.png: the column before the left wall is gone, while it spreads and at the end, coloured by the
+horizontal velocity; a column for each folder of a run (build/examples/column-drop/<variant>.np<ranks>)."""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import Normalize
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "harness"))
+import dumpfile  # noqa: E402
+import picture  # noqa: E402
+
+RELEASED = 1.2                      # s, the left wall is gone
+INSTANTS = (1.2, 1.4, 1.6, 2.7)     # s
+SCALE, COLOURS = Normalize(-1.5, 0.0), matplotlib.colormaps["viridis"]
+LEFT, RIGHT, TOP = -0.62, 0.28, 0.48    # m, what is seen
+
+
+def draw(axis, frame):
+    axis.fill([LEFT, RIGHT, RIGHT, LEFT], [-0.015, -0.015, 0.0, 0.0], color="#b9c7b4", linewidth=0, zorder=-2)
+    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
+    picture.spheres(axis, points, frame["radius"], COLOURS(SCALE(frame["vx"])), turn=0.0, tilt=0.0)
+    axis.set_xlim(LEFT, RIGHT)
+    axis.set_ylim(-0.02, TOP)
+
+
+FILM = picture.Film("dump.column-drop", draw, SCALE, COLOURS, "horizontal velocity, m/s (to the left)", 4.5, 2.6)
+
+
+def main(*arguments):
+    *folders, path = arguments
+    figure, axes = FILM.panels(len(INSTANTS), len(folders))
+    for column, folder in zip(axes.T, folders):
+        frames = FILM.frames(folder)
+        variant = Path(folder).resolve().name.split(".")[0]
+        for axis, instant in zip(column, INSTANTS):
+            draw(axis, dumpfile.at(frames, instant))
+            axis.text(0.02, 0.95, f"{variant}\n{instant - RELEASED:g} s after the wall is gone", transform=axis.transAxes, fontsize=11, va="top")
+    FILM.colour_bar(figure, axes.ravel(), shrink=0.5, pad=0.02, extend="both")
+    figure.savefig(path, dpi=90)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
