@@ -17,7 +17,7 @@ import picture  # noqa: E402
 RELEASED = 1.2                      # s, the left wall is gone
 INSTANTS = (1.2, 1.4, 1.6, 2.7)     # s
 SCALE, COLOURS = Normalize(-1.5, 0.0), matplotlib.colormaps["viridis"]
-LEFT, RIGHT, TOP = -0.62, 0.28, 0.48    # m, what is seen
+LEFT, RIGHT, TOP = -1.0, 0.28, 0.48    # m, what is seen
 
 
 def draw(axis, frame):
@@ -28,7 +28,7 @@ def draw(axis, frame):
     axis.set_ylim(-0.02, TOP)
 
 
-FILM = picture.Film("dump.column-drop", draw, SCALE, COLOURS, "horizontal velocity, m/s (to the left)", 4.5, 2.6)
+FILM = picture.Film("dump.column-drop", draw, SCALE, COLOURS, "horizontal velocity, m/s (to the left)", 5.4, 2.3)
 
 
 def main(*arguments):
