@@ -30,8 +30,8 @@ def heaps(first, second):
 
 
 def slips(one):
-    """a line that rises away from the blade and meets the surface before the last columns at the wall, with a block over it"""
-    return 0 < one.meets < LENGTH - 2 * D - BACK - THICK - one.way and one.over > 2 * one.beyond
+    """a line that rises away from the blade and meets the surface before the last column at the wall, with a block over it"""
+    return 0 < one.meets < LENGTH - D - BACK - THICK - one.way and one.over > 2 * one.beyond
 
 
 def claims(folder_of):

@@ -236,3 +236,9 @@ def test_every_scene_has_references_for_what_it_runs(root):
             assert list(scene.parent.glob(f"log.*.{label}.g++.1")), f"no reference log of {label}"
         if scene.parent.name != "contact-laws":
             assert list(scene.parent.glob("log.*.g++.4")), f"no reference log of {scene.parent.name} on 4 ranks"
+
+
+def test_the_page_of_the_claims_has_all_eleven(root):
+    rows = re.findall(r"^\| \[(\d+)\w?\]\(\.\./examples/[\w-]+/README\.md\) \|.*\| *(?:yes|no|partly).*\|$",
+                      (root / "docs" / "claims.md").read_text(), re.MULTILINE)
+    assert sorted(set(map(int, rows))) == list(range(1, 12))
