@@ -11,7 +11,6 @@ from matplotlib.colors import Normalize, to_rgba
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
 import picture  # noqa: E402
 
 INSTANTS = (0.016, 0.2, 0.4)    # s, Figs 6.3 and 6.4
@@ -42,14 +41,7 @@ FILM = picture.Film("dump.beam-impact", draw, SCALE, COLOURS,
 
 def main(*arguments):
     *folders, path = arguments
-    figure, axes = FILM.panels(len(INSTANTS), len(folders))
-    for column, folder in zip(axes.T, folders):
-        frames = FILM.frames(folder)
-        variant = Path(folder).resolve().name.split(".")[0]
-        for axis, instant in zip(column, INSTANTS):
-            draw(axis, dumpfile.at(frames, instant))
-            axis.text(0.0, 0.98, f"{variant}, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
-    FILM.colour_bar(figure, axes.ravel(), shrink=0.4, pad=0.02)
+    figure = FILM.at_instants(folders, INSTANTS, lambda variant, instant: (0.0, 0.98, f"{variant}, t = {instant:g} s"), shrink=0.4, pad=0.02)
     figure.savefig(path, dpi=110)
 
 

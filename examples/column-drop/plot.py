@@ -11,7 +11,6 @@ from matplotlib.colors import Normalize
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
 import picture  # noqa: E402
 
 RELEASED = 1.2                      # s, the left wall is gone
@@ -33,14 +32,9 @@ FILM = picture.Film("dump.column-drop", draw, SCALE, COLOURS, "horizontal veloci
 
 def main(*arguments):
     *folders, path = arguments
-    figure, axes = FILM.panels(len(INSTANTS), len(folders))
-    for column, folder in zip(axes.T, folders):
-        frames = FILM.frames(folder)
-        variant = Path(folder).resolve().name.split(".")[0]
-        for axis, instant in zip(column, INSTANTS):
-            draw(axis, dumpfile.at(frames, instant))
-            axis.text(0.02, 0.95, f"{variant}\n{instant - RELEASED:g} s after the wall is gone", transform=axis.transAxes, fontsize=11, va="top")
-    FILM.colour_bar(figure, axes.ravel(), shrink=0.5, pad=0.02, extend="both")
+    figure = FILM.at_instants(folders, INSTANTS,
+                              lambda variant, instant: (0.02, 0.95, f"{variant}\n{instant - RELEASED:g} s after the wall is gone"),
+                              shrink=0.5, pad=0.02, extend="both")
     figure.savefig(path, dpi=90)
 
 

@@ -1,6 +1,7 @@
 """Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each; pictures and animations."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Callable
 
 import dumpfile
@@ -86,6 +87,18 @@ class Film:
         bar = figure.colorbar(matplotlib.cm.ScalarMappable(self.scale, self.colours), ax=list(axes), orientation="horizontal",
                               **settings)
         bar.set_label(self.label)
+
+    def at_instants(self, folders, instants, label, by_rows=False, **bar):
+        """figure of some runs at some instants, a column (or row) for each run, with the bar of the colours; label(variant, instant):
+        (x, y, text) in a panel"""
+        figure, axes = self.panels(*((len(folders), len(instants)) if by_rows else (len(instants), len(folders))))
+        for line, folder in zip(axes if by_rows else axes.T, folders):
+            frames, variant = self.frames(folder), Path(folder).resolve().name.split(".")[0]
+            for axis, instant in zip(line, instants):
+                self.draw(axis, dumpfile.at(frames, instant))
+                axis.text(*label(variant, instant), transform=axis.transAxes, fontsize=11, va="top")
+        self.colour_bar(figure, axes.ravel(), **bar)
+        return figure
 
     def animate(self, folder, path):
         """all frames of a run"""

@@ -11,7 +11,6 @@ from matplotlib.colors import Normalize
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
 import picture  # noqa: E402
 
 INSTANTS = (0.12, 0.36, 0.8)    # s, Figs 6.16 and 6.17
@@ -34,14 +33,8 @@ FILM = picture.Film("dump.hopper", draw, SCALE, COLOURS, "downward velocity, m/s
 
 def main(*arguments):
     *folders, path = arguments
-    figure, axes = FILM.panels(len(folders), len(INSTANTS))
-    for row, folder in zip(axes, folders):
-        frames = FILM.frames(folder)
-        variant = Path(folder).resolve().name.split(".")[0]
-        for axis, instant in zip(row, INSTANTS):
-            draw(axis, dumpfile.at(frames, instant))
-            axis.text(0.5, 0.3, f"{variant}\nt = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
-    FILM.colour_bar(figure, axes.ravel(), shrink=0.7, pad=0.02, extend="both")
+    figure = FILM.at_instants(folders, INSTANTS, lambda variant, instant: (0.5, 0.3, f"{variant}\nt = {instant:g} s"), by_rows=True,
+                              shrink=0.7, pad=0.02, extend="both")
     figure.savefig(path, dpi=100)
 
 

@@ -43,16 +43,29 @@ template <class Function> long double integral(Function f, long double length, i
 // the law varies at x: truncation 1e-12 relative; 1e-9 leaves room for derivatives larger than their
 // scale suggests. Rounding of what is differentiated over the step comes on top.
 template <class Law>
-void expect_derivatives(Law law, double x, double scale, double towards = 1.0, double tolerance = 1e-9)
+void expect_derivatives(Law law, double x, double scale, double towards = 1.0,
+                        double tolerance = 1e-9)
 {
   const double h = 1e-3 * scale;
   const POTDEM::Evaluation here = law(x);
-  const double force = -towards * slope([&](double t) { return law(t).energy; }, x, h);
-  const double stiffness = -towards * slope([&](double t) { return law(t).force; }, x, h);
+  const double force = -towards *
+      slope(
+          [&](double t) {
+            return law(t).energy;
+          },
+          x, h);
+  const double stiffness = -towards *
+      slope(
+          [&](double t) {
+            return law(t).force;
+          },
+          x, h);
   const double force_scale = std::max(std::fabs(here.force), std::fabs(here.stiffness) * scale);
   const double rounding = 1e-15 / h;
-  EXPECT_NEAR(here.force, force, tolerance * force_scale + rounding * std::fabs(here.energy)) << "at " << x;
-  EXPECT_NEAR(here.stiffness, stiffness, tolerance * force_scale / scale + rounding * std::fabs(here.force))
+  EXPECT_NEAR(here.force, force, tolerance * force_scale + rounding * std::fabs(here.energy))
+      << "at " << x;
+  EXPECT_NEAR(here.stiffness, stiffness,
+              tolerance * force_scale / scale + rounding * std::fabs(here.force))
       << "at " << x;
 }
 

@@ -34,7 +34,8 @@ void fill(BodyArea &body, const Block &block, int copies = 1)
           }
           if (outside) continue;
           const int j = i - site + to[0] + n[0] * (to[1] + n[1] * to[2]);
-          if (i < j) body.bonds.push_back({i, j, {x / r, y / r, z / r}, r * block.spacing, true, 0.0});
+          if (i < j)
+            body.bonds.push_back({i, j, {x / r, y / r, z / r}, r * block.spacing, true, 0.0});
         }
   }
 }
@@ -84,13 +85,15 @@ TEST(BodyArea, FreeBlockIsBalancedAndKeepsItsEnergy)
       force[bond.low][k] += bond.area * strain * bond.n[k];
       force[bond.high][k] -= bond.area * strain * bond.n[k];
     }
-    for (const int i : {bond.low, bond.high}) energy[i % n[0]] += 0.5 * bond.area * bond.length * strain * strain;
+    for (const int i : {bond.low, bond.high})
+      energy[i % n[0]] += 0.5 * bond.area * bond.length * strain * strain;
   }
   // away from the ends each slice stores the energy of the solid, within 1 %, and the particles are in balance:
   // what is left over costs the square of it
   for (int slice = 5; slice < 11; slice++) {
     EXPECT_NEAR(energy[slice] / 36.0, 1.0, 0.01);
-    for (int i = slice; i < body.nall; i += n[0]) EXPECT_LT(std::sqrt(dot(force[i], force[i])), 0.05);
+    for (int i = slice; i < body.nall; i += n[0])
+      EXPECT_LT(std::sqrt(dot(force[i], force[i])), 0.05);
   }
 }
 
@@ -143,7 +146,8 @@ TEST(BodyArea, CellsEndAtTheSurface)
   BodyArea body(alone);
   const int n[3] = {5, 6, 7};
   fill(body, {n[0], n[1], n[2], false, 1.0, 2.0});
-  body.volume.assign(body.nall, 4.6 * 5.6 * 6.6 / body.nall);    // the faces 0.3 outside the outer layer
+  body.volume.assign(body.nall,
+                     4.6 * 5.6 * 6.6 / body.nall);    // the faces 0.3 outside the outer layer
   ASSERT_EQ(body.solve(), BodyArea::DONE);
   for (int i = 0; i < body.nall; i++) {
     const int at[3] = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};

@@ -13,7 +13,10 @@ namespace {
 
 const double dbar = 1.0, alpha = 0.2, r0 = 0.8;
 
-Pairing touching() { return {0.5, 0.5, dbar}; }
+Pairing touching()
+{
+  return {0.5, 0.5, dbar};
+}
 
 // the law with and without the end, and the s at which it goes straight
 template <class Check> void for_each_law(Check check)
@@ -48,7 +51,11 @@ TEST(Continued, ForceAndStiffnessAreTheDerivatives)
 {
   for_each_law([](const auto &, const auto &straight, double least) {
     for (const double r : {0.01, 0.3, r0 - 0.1, r0, r0 + 0.5 * least, r0 + 0.99 * least})
-      reference::expect_derivatives([&](double t) { return straight.evaluate(t, touching()); }, r, 1e-3);
+      reference::expect_derivatives(
+          [&](double t) {
+            return straight.evaluate(t, touching());
+          },
+          r, 1e-3);
   });
 }
 
@@ -73,7 +80,8 @@ TEST(Continued, HasNoJump)
     const auto below = straight.evaluate(r0 + least - width, touching());
     const auto above = straight.evaluate(r0 + least + width, touching());
     EXPECT_NEAR(below.energy - above.energy, 2.0 * width * above.force, 1e-5 * width * above.force);
-    EXPECT_NEAR(below.force - above.force, 2.0 * width * above.stiffness, 1e-5 * width * above.stiffness);
+    EXPECT_NEAR(below.force - above.force, 2.0 * width * above.stiffness,
+                1e-5 * width * above.stiffness);
   });
 }
 
@@ -90,7 +98,11 @@ TEST(Continued, ServesWalls)
   RegularisedGranular law{300.0, 4.0, alpha, 3.0, 0.5};
   const LawWall<RegularisedGranular> wall{law, law.kernel(false)};
   EXPECT_EQ(wall.core(0.5), 0.0);
-  reference::expect_derivatives([&](double z) { return wall.evaluate(z, 0.5); }, 0.3, 1e-3);
+  reference::expect_derivatives(
+      [&](double z) {
+        return wall.evaluate(z, 0.5);
+      },
+      0.3, 1e-3);
   EXPECT_GT(wall.evaluate(0.1, 0.5).force, wall.evaluate(0.3, 0.5).force);
 }
 

@@ -12,7 +12,8 @@ struct Material {
   double E, nu;
 };
 // moduli over ten decades
-const Material materials[] = {{1e2, 0.0}, {5e7, 0.45}, {2.1e11, 0.3}, {1e12, 0.2}, {1.0, 0.5}, {3e4, -0.9}};
+const Material materials[] = {{1e2, 0.0},  {5e7, 0.45}, {2.1e11, 0.3},
+                              {1e12, 0.2}, {1.0, 0.5},  {3e4, -0.9}};
 const double diameters[][2] = {{1.0, 1.0}, {0.02, 0.4}, {20.0, 1.0}, {1e-6, 1e-6}};
 const double overlaps[] = {1e-8, 1e-5, 1e-3, 0.1, 0.5, 0.9};    // over the smaller diameter
 
@@ -24,7 +25,8 @@ Pairing touching(const double d[2])
 // eqs 5.15 and 5.16 as they are printed, equal materials
 long double prefactor(const Material &material, const double d[2])
 {
-  const long double modulus = material.E / (2.0L * (1.0L - static_cast<long double>(material.nu) * material.nu));
+  const long double modulus =
+      material.E / (2.0L * (1.0L - static_cast<long double>(material.nu) * material.nu));
   const long double dstar = 1.0L / (1.0L / d[0] + 1.0L / d[1]);
   return 4.0L / 3.0L * modulus * std::sqrt(dstar / 2.0L);
 }
@@ -37,12 +39,15 @@ TEST(Hertz, IsTheFormula)
       const auto pair = touching(d);
       for (const double overlap : overlaps) {
         const double r = pair.contact - overlap * std::fmin(d[0], d[1]);
-        const long double w = static_cast<long double>(pair.contact) - r, K = prefactor(material, d);
+        const long double w = static_cast<long double>(pair.contact) - r,
+                          K = prefactor(material, d);
         const auto at = kernel.evaluate(r, pair);
         const double force = static_cast<double>(K * std::pow(w, 1.5L));
         EXPECT_NEAR(at.force, force, 1e-14 * force);
-        EXPECT_NEAR(at.energy, static_cast<double>(0.4L * K * std::pow(w, 2.5L)), 1e-14 * at.energy);
-        EXPECT_NEAR(at.stiffness, static_cast<double>(1.5L * K * std::sqrt(w)), 1e-14 * at.stiffness);
+        EXPECT_NEAR(at.energy, static_cast<double>(0.4L * K * std::pow(w, 2.5L)),
+                    1e-14 * at.energy);
+        EXPECT_NEAR(at.stiffness, static_cast<double>(1.5L * K * std::sqrt(w)),
+                    1e-14 * at.stiffness);
         EXPECT_GT(at.energy, 0.0);
       }
     }
@@ -58,8 +63,11 @@ TEST(Hertz, EnergyForceAndStiffnessBelongTogether)
         const double w = overlap * std::fmin(d[0], d[1]), r = pair.contact - w;
         // r is rounded before w is taken from it; over the differences' step
         const double rounded = 4e-16 * r / (1e-3 * w);
-        reference::expect_derivatives([&](double t) { return kernel.evaluate(t, pair); }, r, w, 1.0,
-                                      1e-9 + 4.0 * rounded);
+        reference::expect_derivatives(
+            [&](double t) {
+              return kernel.evaluate(t, pair);
+            },
+            r, w, 1.0, 1e-9 + 4.0 * rounded);
       }
     }
 }
@@ -134,7 +142,8 @@ double total(bool attract, double rate)
 double literal(double rate)
 {
   const double w = 1.0 - r, K = 4.0 / 3.0 * E / (2.0 * (1.0 - nu * nu)) * std::sqrt(0.25);
-  return K * std::pow(w, 1.5) - K * H * std::sqrt(w) * rate;    // the distance grows: the overlap shrinks
+  return K * std::pow(w, 1.5) -
+      K * H * std::sqrt(w) * rate;    // the distance grows: the overlap shrinks
 }
 
 TEST(HertzViscous, IsTheFormula)
@@ -160,7 +169,8 @@ TEST(HertzViscous, WithoutViscosityTheElasticForce)
 {
   const auto kernel = Hertz::of(E, nu).kernel(false);
   const double elastic = kernel.evaluate(r, spheres).force;
-  for (const double rate : {-1e6, 0.0, 1e6}) EXPECT_EQ(kernel.with_rate(elastic, r, spheres, rate), elastic);
+  for (const double rate : {-1e6, 0.0, 1e6})
+    EXPECT_EQ(kernel.with_rate(elastic, r, spheres, rate), elastic);
 }
 
 }    // namespace

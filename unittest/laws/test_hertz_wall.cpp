@@ -29,7 +29,8 @@ TEST(HertzWall, ForceIsTheFormula)
   for (const auto &c : cases)
     for (const double overlap : overlaps) {
       const double w = overlap * ri, expected = static_cast<double>(force_of(w, c));
-      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).force), expected, 1e-14 * expected);
+      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).force), expected,
+                  1e-14 * expected);
     }
 }
 
@@ -40,13 +41,18 @@ TEST(HertzWall, EnergyIsTheIntegralOfTheForce)
   for (const auto &c : cases)
     for (const double overlap : overlaps) {
       const double w = overlap * ri, gamma = std::fmin(w, c.layer * ri);
-      const auto inside = [&](long double t) { return force_of(t * t * t * t, c) * 4.0L * t * t * t; };
-      const auto above = [&](long double s) { return force_of(gamma + s, c); };
+      const auto inside = [&](long double t) {
+        return force_of(t * t * t * t, c) * 4.0L * t * t * t;
+      };
+      const auto above = [&](long double s) {
+        return force_of(gamma + s, c);
+      };
       const long double start = gamma > 0.0 ? gamma : w;
       long double expected = reference::integral(inside, std::pow(start, 0.25L));
-      if (gamma > 0.0 && w > gamma) expected += reference::integral(above, w - static_cast<long double>(gamma));
-      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).energy), static_cast<double>(expected),
-                  1e-11 * static_cast<double>(expected))
+      if (gamma > 0.0 && w > gamma)
+        expected += reference::integral(above, w - static_cast<long double>(gamma));
+      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).energy),
+                  static_cast<double>(expected), 1e-11 * static_cast<double>(expected))
           << "layer " << c.layer << " m " << c.m << " w/ri " << overlap;
     }
 }
@@ -59,7 +65,11 @@ TEST(HertzWall, EnergyForceAndStiffnessBelongTogether)
       // differences must not reach over the kink at the layer's edge
       const double edge = std::fabs(w - c.layer * ri), scale = std::fmin(w, edge > 0.0 ? edge : w);
       const HertzWall law{modulus, c.layer, c.m};
-      reference::expect_derivatives([&](double t) { return law.evaluate(t, ri); }, w, scale, -1.0);
+      reference::expect_derivatives(
+          [&](double t) {
+            return law.evaluate(t, ri);
+          },
+          w, scale, -1.0);
     }
 }
 
@@ -73,7 +83,8 @@ TEST(HertzWall, StartsFromNothing)
     EXPECT_EQ(touch.stiffness, 0.0);
     const auto near = law.evaluate(1e-14 * ri, ri);
     EXPECT_GT(near.force, 0.0);
-    EXPECT_LT(near.force, 1e-20 * modulus * ri * ri);    // (4/3) 1e-21 without a layer, less with one
+    EXPECT_LT(near.force,
+              1e-20 * modulus * ri * ri);    // (4/3) 1e-21 without a layer, less with one
   }
 }
 
@@ -83,10 +94,12 @@ TEST(HertzWall, EnergyAndForceAreContinuousAtTheLayersEdge)
     if (c.layer == 0.0) continue;
     const HertzWall law{modulus, c.layer, c.m};
     const double gamma = c.layer * ri;
-    const auto below = law.evaluate(gamma * (1.0 - 1e-13), ri), above = law.evaluate(gamma * (1.0 + 1e-13), ri);
+    const auto below = law.evaluate(gamma * (1.0 - 1e-13), ri),
+               above = law.evaluate(gamma * (1.0 + 1e-13), ri);
     EXPECT_NEAR(below.force, above.force, 1e-12 * above.force);
     EXPECT_NEAR(below.energy, above.energy, 1e-12 * above.energy);
-    EXPECT_NEAR(below.stiffness, above.stiffness * (1.5 + 1.0 / c.m) / 1.5, 1e-12 * below.stiffness);
+    EXPECT_NEAR(below.stiffness, above.stiffness * (1.5 + 1.0 / c.m) / 1.5,
+                1e-12 * below.stiffness);
   }
 }
 

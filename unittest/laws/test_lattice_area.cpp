@@ -67,7 +67,8 @@ Uniaxial pull(Lattice lattice, double reach)
     for (int j = -n; j <= n; j++)
       for (int k = -n; k <= n; k++)
         for (const auto &site : cell.sites) {
-          const Vector d = {cell.edge * (i + site[0]), cell.edge * (j + site[1]), cell.edge * (k + site[2])};
+          const Vector d = {cell.edge * (i + site[0]), cell.edge * (j + site[1]),
+                            cell.edge * (k + site[2])};
           const double r = std::hypot(d[0], d[1], d[2]);
           if (r < 1e-9 || r > reach + 1e-6) continue;
           const double x = d[0] * d[0] / (r * r), yz = (d[1] * d[1] + d[2] * d[2]) / (r * r);
@@ -83,8 +84,9 @@ Uniaxial pull(Lattice lattice, double reach)
 // rounding of a sum of at most 300 terms: 1e-13
 TEST(LatticeArea, GivesTheModulusUnderUniaxialTension)
 {
-  const Row rows[] = {{Lattice::CUBIC, 2.0, 32, 0, 0}, {Lattice::CUBIC, 3.0, 122, 0, 0}, {Lattice::FCC, 2.0, 54, 0, 0},
-                      {Lattice::BCC, 1.16, 14, 0, 0},  {Lattice::BCC, 1.64, 26, 0, 0},   {Lattice::BCC, 2.0, 58, 0, 0}};
+  const Row rows[] = {{Lattice::CUBIC, 2.0, 32, 0, 0}, {Lattice::CUBIC, 3.0, 122, 0, 0},
+                      {Lattice::FCC, 2.0, 54, 0, 0},   {Lattice::BCC, 1.16, 14, 0, 0},
+                      {Lattice::BCC, 1.64, 26, 0, 0},  {Lattice::BCC, 2.0, 58, 0, 0}};
   for (const auto &row : rows) {
     const auto crystal = pull(row.lattice, row.reach);
     const auto answer = lattice_area(row.lattice, row.reach);
@@ -98,7 +100,8 @@ TEST(LatticeArea, GivesTheModulusUnderUniaxialTension)
 // every shell up to three diameters, from the first with which the lattice is stiff
 TEST(LatticeArea, GivesTheModulusForEveryReach)
 {
-  const std::pair<Lattice, double> first[] = {{Lattice::CUBIC, 1.42}, {Lattice::FCC, 1.0}, {Lattice::BCC, 1.16}};
+  const std::pair<Lattice, double> first[] = {
+      {Lattice::CUBIC, 1.42}, {Lattice::FCC, 1.0}, {Lattice::BCC, 1.16}};
   for (const auto &[lattice, least] : first)
     for (double reach = least; reach < 3.0; reach += 0.03) {
       const auto crystal = pull(lattice, reach);
@@ -146,7 +149,8 @@ TEST(LatticeArea, LatticesAreKnownByTheirNearestNeighbours)
 TEST(LatticeArea, HexagonalPacking)
 {
   const int expected[] = {12, 18, 20, 38, 50};
-  const double reach[] = {1.0, std::sqrt(2.0), std::sqrt(8.0 / 3.0), std::sqrt(3.0), std::sqrt(11.0 / 3.0)};
+  const double reach[] = {1.0, std::sqrt(2.0), std::sqrt(8.0 / 3.0), std::sqrt(3.0),
+                          std::sqrt(11.0 / 3.0)};
   for (int k = 0; k < 5; k++) EXPECT_EQ(lattice_area(Lattice::HCP, reach[k]).bonds, expected[k]);
   EXPECT_TRUE(is_shell(Lattice::HCP, std::sqrt(8.0 / 3.0), 1e-3));
   EXPECT_FALSE(is_shell(Lattice::FCC, std::sqrt(8.0 / 3.0), 1e-3));
@@ -158,17 +162,20 @@ TEST(LatticeArea, HexagonalPackingGivesTheModulusInItsBasalPlane)
 {
   for (const double reach : {1.0, 1.42, 1.64, 1.75, 1.92, 2.0, 2.25, 2.5}) {
     const auto answer = lattice_area(Lattice::HCP, reach);
-    const double area = 0.25 * M_PI * answer.area_factor, height = std::sqrt(8.0 / 3.0), row = std::sqrt(3.0);
+    const double area = 0.25 * M_PI * answer.area_factor, height = std::sqrt(8.0 / 3.0),
+                 row = std::sqrt(3.0);
     std::vector<std::array<double, 7>> terms;    // length and factors of exx eyy ezz ux uy uz
     for (int i = -5; i <= 5; i++)
       for (int j = -5; j <= 5; j++)
         for (int k = -5; k <= 5; k++) {
           // rows of the close-packed plane, every other plane shifted by a third of the triangle's height times two
           const double shift = k % 2 == 0 ? 0.0 : 1.0;
-          const double x = i + 0.5 * (j + shift), y = 0.5 * row * (j + shift / 3.0), z = 0.5 * height * k;
+          const double x = i + 0.5 * (j + shift), y = 0.5 * row * (j + shift / 3.0),
+                       z = 0.5 * height * k;
           const double r = std::sqrt(x * x + y * y + z * z);
           if (r < 1e-9 || r > reach + 1e-6) continue;
-          terms.push_back({r, x * x / r, y * y / r, z * z / r, shift * x / r, shift * y / r, shift * z / r});
+          terms.push_back(
+              {r, x * x / r, y * y / r, z * z / r, shift * x / r, shift * y / r, shift * z / r});
         }
     EXPECT_EQ(static_cast<int>(terms.size()), answer.bonds);
     std::array<double, 6> unknown = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0};

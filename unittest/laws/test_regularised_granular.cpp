@@ -15,7 +15,8 @@ struct Domain {
 // stiffness over ten decades, diameters up to 1:20, the co-penetration from hard to soft
 const Domain domains[] = {{1.0, 0.1, 1.0, 1.0},  {1e-3, 0.01, 0.02, 0.02}, {1e7, 0.01, 0.02, 0.4},
                           {1e2, 0.9, 20.0, 1.0}, {1e5, 0.5, 1e-3, 2e-2},   {1e7, 0.9, 1e-6, 1e-6}};
-const double places[] = {0.01, 0.1, 0.5, 0.9, 1.0, 1.1, 1.3};    // s/2delta, those below the cut are used
+const double places[] = {0.01, 0.1, 0.5, 0.9,
+                         1.0,  1.1, 1.3};    // s/2delta, those below the cut are used
 
 RegularisedGranular law_of(const Domain &domain, double n)
 {
@@ -39,7 +40,8 @@ TEST(RegularisedGranular, IsTheFormula)
       for (const double place : places) {
         if (place >= law.cut) continue;
         const double r = (1.0 - domain.alpha) * pair.dbar() + place * domain.alpha * pair.dbar();
-        const long double s = r - (pair.dbar() - first), t = std::pow(first / s, static_cast<long double>(n));
+        const long double s = r - (pair.dbar() - first),
+                          t = std::pow(first / s, static_cast<long double>(n));
         const double force = static_cast<double>(domain.K0 * first / n * t);
         const auto at = kernel.evaluate(r, pair);
         // s is a difference of lengths near dbar: its rounding, times the exponent
@@ -65,8 +67,11 @@ TEST(RegularisedGranular, EnergyForceAndStiffnessBelongTogether)
           if (s + 4e-3 * scale >= law.cut * domain.alpha * pair.dbar()) continue;
           // r is rounded before s is taken from it: 1e-16 r over the differences' step
           const double rounded = 4e-16 * r / (1e-3 * scale);
-          reference::expect_derivatives([&](double t) { return kernel.evaluate(t, pair); }, r, scale, 1.0,
-                                        1e-9 + rounded);
+          reference::expect_derivatives(
+              [&](double t) {
+                return kernel.evaluate(t, pair);
+              },
+              r, scale, 1.0, 1e-9 + rounded);
         }
       }
 }
@@ -93,7 +98,8 @@ TEST(RegularisedGranular, TheDefaultCutIsWhereAThousandthIsLeft)
       const auto kernel = law.kernel(false);
       const double reach = law.reach(pair.dbar()), first = kernel.evaluate(pair.dbar(), pair).force;
       EXPECT_GT(reach, pair.dbar());
-      const double rounded = 1e-11 * (n + 1.0) / domain.alpha;    // 1e-12 from the cut, relative to s
+      const double rounded =
+          1e-11 * (n + 1.0) / domain.alpha;    // 1e-12 from the cut, relative to s
       EXPECT_NEAR(kernel.evaluate(reach * (1.0 - 1e-12), pair).force / first, 1e-3, 1e-3 * rounded);
       for (const double beyond : {1e-12, 0.1, 10.0}) {
         const auto at = kernel.evaluate(reach * (1.0 + beyond), pair);
@@ -114,13 +120,15 @@ TEST(RegularisedGranular, TheShiftMakesTheEnergyZeroAtTheCutAndNothingElse)
         const auto plain = law.kernel(false), shifted = law.kernel(true);
         const double below = law.reach(pair.dbar()) * (1.0 - 1e-12);
         const auto at = plain.evaluate(below, pair);
-        EXPECT_NEAR(shifted.evaluate(below, pair).energy, 0.0, 2e-12 * at.force * below + 1e-13 * at.energy);
+        EXPECT_NEAR(shifted.evaluate(below, pair).energy, 0.0,
+                    2e-12 * at.force * below + 1e-13 * at.energy);
         const auto a = plain.evaluate(pair.dbar(), pair), b = shifted.evaluate(pair.dbar(), pair);
         EXPECT_EQ(a.force, b.force);
         EXPECT_EQ(a.stiffness, b.stiffness);
         // the work of the force from the cut to first contact
         const double first = domain.alpha * pair.dbar();
-        const double work = domain.K0 * first * first / (n * (n - 1.0)) * (1.0 - std::pow(cut, 1.0 - n));
+        const double work =
+            domain.K0 * first * first / (n * (n - 1.0)) * (1.0 - std::pow(cut, 1.0 - n));
         // small near the cut, where it is a difference
         const double rounded = 1e-14 * (n + 1.0) / domain.alpha * a.energy;
         EXPECT_NEAR(b.energy, work, rounded) << n << " " << cut;

@@ -11,7 +11,8 @@ using namespace POTDEM;
 namespace {
 
 const double exponents[] = {0.5, 1.0, 1.5, 2.0, 2.3, 3.0, 4.0, 5.5, 6.0, 7.7, 12.0, 24.0};
-const double places[] = {0.05, 0.3, 0.7, 0.9, 0.99, 1.0, 1.01, 1.03};    // s/R, those below the cut are used
+const double places[] = {0.05, 0.3, 0.7,  0.9,
+                         0.99, 1.0, 1.01, 1.03};    // s/R, those below the cut are used
 
 ShiftedLJ law_of(double K0, double R, double n, double alpha)
 {
@@ -54,9 +55,12 @@ TEST(ShiftedLJ, IsTheFormula)
         const double stiffness = static_cast<double>(formula.stiffness(s));
         // the power to 1e-14 (test_power), and what cancels between attraction and repulsion
         const double scale = K0 * R * std::pow(place, -2.0 * n) / n;
-        EXPECT_NEAR(at.energy, energy, 2e-14 * (std::fabs(energy) + scale * R)) << n << " " << place;
-        EXPECT_NEAR(at.force, force, 2e-14 * (std::fabs(force) + scale / place)) << n << " " << place;
-        EXPECT_NEAR(at.stiffness, stiffness, 2e-14 * (std::fabs(stiffness) + n * scale / R / place / place));
+        EXPECT_NEAR(at.energy, energy, 2e-14 * (std::fabs(energy) + scale * R))
+            << n << " " << place;
+        EXPECT_NEAR(at.force, force, 2e-14 * (std::fabs(force) + scale / place))
+            << n << " " << place;
+        EXPECT_NEAR(at.stiffness, stiffness,
+                    2e-14 * (std::fabs(stiffness) + n * scale / R / place / place));
       }
     }
 }
@@ -65,8 +69,8 @@ struct Domain {
   double K0, alpha, di, dj;
 };
 // stiffness over ten decades, diameters up to 1:20, the co-penetration from hard to soft
-const Domain domains[] = {{1.0, 0.1, 1.0, 1.0},     {1e-3, 0.01, 0.02, 0.02}, {1e7, 0.01, 0.02, 0.4},
-                          {1e2, 0.9, 20.0, 1.0},    {1e5, 0.5, 1e-3, 2e-2},   {1e7, 0.9, 1e-6, 1e-6}};
+const Domain domains[] = {{1.0, 0.1, 1.0, 1.0},  {1e-3, 0.01, 0.02, 0.02}, {1e7, 0.01, 0.02, 0.4},
+                          {1e2, 0.9, 20.0, 1.0}, {1e5, 0.5, 1e-3, 2e-2},   {1e7, 0.9, 1e-6, 1e-6}};
 
 TEST(ShiftedLJ, EnergyForceAndStiffnessBelongTogether)
 {
@@ -83,8 +87,11 @@ TEST(ShiftedLJ, EnergyForceAndStiffnessBelongTogether)
           if (s + 4e-3 * scale >= law.cut) continue;
           // r is rounded before s is taken from it: 1e-16 r over the differences' step
           const double rounded = 4e-16 * r / (1e-3 * scale);
-          reference::expect_derivatives([&](double t) { return kernel.evaluate(t, pair); }, r, scale, 1.0,
-                                        1e-9 + rounded);
+          reference::expect_derivatives(
+              [&](double t) {
+                return kernel.evaluate(t, pair);
+              },
+              r, scale, 1.0, 1e-9 + rounded);
         }
       }
 }
@@ -115,7 +122,8 @@ TEST(ShiftedLJ, TheDefaultCutIsTheLargestAttraction)
     for (const double t : {0.9, 0.99, 1.01, 1.1}) EXPECT_GT(kernel.at(t * cut).force, at.force);
     EXPECT_LT(at.force, 0.0);
     EXPECT_GT(kernel.at(0.99 * cut).stiffness, 0.0);
-    EXPECT_LT(kernel.at(1.01 * cut).stiffness, 0.0);    // the softening branch that the cut leaves out
+    EXPECT_LT(kernel.at(1.01 * cut).stiffness,
+              0.0);    // the softening branch that the cut leaves out
   }
 }
 
@@ -133,7 +141,8 @@ TEST(ShiftedLJ, NothingFromTheCutOn)
         EXPECT_EQ(at.force, 0.0);
         EXPECT_EQ(at.stiffness, 0.0);
       }
-      EXPECT_LT(kernel.evaluate(law.reach(pair.dbar()) * (1.0 - 1e-12), pair).force, 0.0);    // the jump
+      EXPECT_LT(kernel.evaluate(law.reach(pair.dbar()) * (1.0 - 1e-12), pair).force,
+                0.0);    // the jump
     }
 }
 
@@ -151,7 +160,8 @@ TEST(ShiftedLJ, TheShiftMakesTheEnergyZeroAtTheCutAndNothingElse)
                   1e-12 * std::fabs(plain.evaluate(below, pair).force) + 1e-14 * K0 * R * R);
       const double at_cut = plain.at(law.cut).energy;
       for (const double place : {0.3, 0.7}) {
-        const auto a = plain.evaluate(0.9 + place * R, pair), b = shifted.evaluate(0.9 + place * R, pair);
+        const auto a = plain.evaluate(0.9 + place * R, pair),
+                   b = shifted.evaluate(0.9 + place * R, pair);
         EXPECT_EQ(a.force, b.force);
         EXPECT_EQ(a.stiffness, b.stiffness);
         EXPECT_NEAR(a.energy - b.energy, at_cut, 1e-14 * (std::fabs(at_cut) + std::fabs(a.energy)));

@@ -13,7 +13,8 @@ constexpr double re = 0.37, modulus = 5.3e4;    // any values: the law must not 
 const int exponents[] = {1, 2, 3, 6, 12};
 
 // stretches over the whole domain, both ends included
-const double stretches[] = {1e-4, 1e-2, 0.1, 0.3, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.5, 2.0, 3.7, 4.3, 6.0};
+const double stretches[] = {1e-4,  1e-2, 0.1, 0.3, 0.5, 0.9, 0.999, 1.0,
+                            1.001, 1.1,  1.5, 2.0, 3.7, 4.3, 6.0};
 
 // c(x) as the thesis prints it, 5.22
 double c_of(double x, int m)
@@ -37,7 +38,11 @@ TEST(Truss, ForceIsGreenLagrangeStrainTimesModulus)
 TEST(Truss, EnergyForceAndStiffnessBelongTogether)
 {
   for (const double x : stretches)
-    reference::expect_derivatives([](double r) { return truss(r, re, modulus); }, x * re, 0.1 * x * re);
+    reference::expect_derivatives(
+        [](double r) {
+          return truss(r, re, modulus);
+        },
+        x * re, 0.1 * x * re);
 }
 
 TEST(Truss, AtRestNothing)
@@ -77,7 +82,8 @@ TEST(Penetration, IsTheThesisFormula)
     for (const double x : stretches) {
       const double expected = c_of(x, m);
       // 1 - (1+x)^-m cancels for small x: rounding eps/(m x)
-      EXPECT_NEAR(Penetration(m, false).value(x), expected, 4e-16 * expected * (4.0 + 1.0 / (m * x)));
+      EXPECT_NEAR(Penetration(m, false).value(x), expected,
+                  4e-16 * expected * (4.0 + 1.0 / (m * x)));
     }
 }
 
@@ -85,7 +91,8 @@ TEST(Penetration, NormalizedIsOneAtRest)
 {
   for (const int m : exponents) {
     EXPECT_DOUBLE_EQ(Penetration(m, true).value(1.0), 1.0);
-    EXPECT_DOUBLE_EQ(Penetration(m, false).value(1.0), (std::pow(2.0, m) + 1.0) / (std::pow(2.0, m) - 1.0));
+    EXPECT_DOUBLE_EQ(Penetration(m, false).value(1.0),
+                     (std::pow(2.0, m) + 1.0) / (std::pow(2.0, m) - 1.0));
     for (const double x : {0.2, 0.8, 2.5})
       EXPECT_NEAR(Penetration(m, true).value(x), c_of(x, m) / c_of(1.0, m), 1e-14 * c_of(x, m));
   }
@@ -98,8 +105,13 @@ TEST(Penetration, SlopeIsTheDerivative)
       const Penetration factor(m, false);
       // length over which c varies: x near 0, 1/m elsewhere; five-point formula at 1e-3 of it: 1e-12 relative
       const double scale = std::fmin(x, 1.0 / m);
-      const double expected = reference::slope([&](double t) { return factor.value(t); }, x, 1e-3 * scale);
-      EXPECT_NEAR(factor.slope(x), expected, 1e-9 * std::fabs(expected) + 1e-12 / scale) << "m " << m << " x " << x;
+      const double expected = reference::slope(
+          [&](double t) {
+            return factor.value(t);
+          },
+          x, 1e-3 * scale);
+      EXPECT_NEAR(factor.slope(x), expected, 1e-9 * std::fabs(expected) + 1e-12 / scale)
+          << "m " << m << " x " << x;
     }
 }
 
@@ -112,7 +124,8 @@ long double energy_integral(double x, int m)
     const long double p = std::pow(1.0L + t, -static_cast<long double>(m));
     return (1.0L + p) / (1.0L - p) * d * (1.0L + 0.5L * d);
   };
-  const long double length = stretched ? static_cast<long double>(x) - 1.0L : 1.0L - static_cast<long double>(x);
+  const long double length = stretched ? static_cast<long double>(x) - 1.0L
+                                       : 1.0L - static_cast<long double>(x);
   const long double sum = reference::integral(integrand, length, 3000);
   return stretched ? sum : -sum;
 }
@@ -126,7 +139,8 @@ TEST(Penetration, EnergyIsTheIntegralOfTheForce)
       const double scale = normalized ? 1.0 / c_of(1.0, m) : 1.0;
       for (const double x : {1e-3, 0.02, 0.3, 0.71, 0.9, 1.1, 1.37, 2.2, 3.99, 4.01, 6.0}) {
         const double expected = scale * static_cast<double>(energy_integral(x, m));
-        EXPECT_NEAR(factor.integral(x), expected, 1e-10 * std::fabs(expected)) << "m " << m << " x " << x;
+        EXPECT_NEAR(factor.integral(x), expected, 1e-10 * std::fabs(expected))
+            << "m " << m << " x " << x;
       }
     }
 }
@@ -140,7 +154,8 @@ TEST(Penetration, EnergyOfSmallStrains)
     for (const double strain : {1e-2, 1e-3, 3e-4, 1e-4, 1e-5})
       for (const double x : {1.0 - strain, 1.0 + strain}) {
         const double expected = static_cast<double>(energy_integral(x, m));
-        EXPECT_NEAR(factor.integral(x), expected, (1e-10 + 4e-16 / strain) * expected) << "m " << m << " x " << x;
+        EXPECT_NEAR(factor.integral(x), expected, (1e-10 + 4e-16 / strain) * expected)
+            << "m " << m << " x " << x;
       }
   }
 }
@@ -152,8 +167,11 @@ TEST(Penetration, EnergyForceAndStiffnessBelongTogether)
     for (const bool normalized : {false, true}) {
       const Penetration factor(m, normalized);
       for (const double x : stretches)
-        reference::expect_derivatives([&](double r) { return truss(r, re, modulus, factor); }, x * re,
-                                      re * std::fmin(x, 1.0 / m), 1.0, 1e-7);
+        reference::expect_derivatives(
+            [&](double r) {
+              return truss(r, re, modulus, factor);
+            },
+            x * re, re * std::fmin(x, 1.0 / m), 1.0, 1e-7);
     }
 }
 
@@ -171,7 +189,8 @@ TEST(Penetration, TwoCentresCannotPass)
       previous = at.force;
     }
     // F -> A E/(m x): what remains is of relative order x
-    EXPECT_NEAR(truss(1e-6 * re, re, modulus, factor).force, modulus / (m * 1e-6), 1e-4 * modulus / (m * 1e-6));
+    EXPECT_NEAR(truss(1e-6 * re, re, modulus, factor).force, modulus / (m * 1e-6),
+                1e-4 * modulus / (m * 1e-6));
   }
 }
 

@@ -31,7 +31,7 @@ TEST(TrussContact, StartsFromZeroForceAndEnergy)
     const double dref = 0.9 * dbar, modulus = E * a * M_PI / 4.0 * dbar * dbar;
     const auto at = kernel.evaluate(dref * (1.0 - 1e-9), Pairing{0.5 * dbar, 0.5 * dbar, dref});
     EXPECT_GT(at.force, 0.0);
-    EXPECT_LT(at.force, 1e-8 * modulus);           // about c(1) 1e-9 modulus
+    EXPECT_LT(at.force, 1e-8 * modulus);             // about c(1) 1e-9 modulus
     EXPECT_LT(at.energy, 1e-15 * modulus * dref);    // about c(1) 1e-18/2; rounding 1e-16
   }
 }
@@ -42,7 +42,8 @@ TEST(TrussContact, ForceIsTheTrussOfTheContactDistance)
   for (const double dref : {dbar, 0.8 * dbar})
     for (const double x : {0.1, 0.5, 0.99}) {
       const double modulus = E * a * M_PI / 4.0 * dbar * dbar;
-      EXPECT_NEAR(kernel.evaluate(x * dref, Pairing{0.5 * dbar, 0.5 * dbar, dref}).force, modulus * 0.5 * (1.0 - x * x), 1e-13 * modulus);
+      EXPECT_NEAR(kernel.evaluate(x * dref, Pairing{0.5 * dbar, 0.5 * dbar, dref}).force,
+                  modulus * 0.5 * (1.0 - x * x), 1e-13 * modulus);
     }
 }
 
@@ -53,8 +54,11 @@ TEST(TrussContact, EnergyForceAndStiffnessBelongTogether)
       const auto kernel = TrussContact{E, a, m, normalized}.kernel(false);
       for (const double dref : {dbar, 0.8 * dbar})
         for (const double x : {1e-3, 0.05, 0.4, 0.8, 0.97})
-          reference::expect_derivatives([&](double r) { return kernel.evaluate(r, Pairing{0.5 * dbar, 0.5 * dbar, dref}); }, x * dref,
-                                        dref * std::fmin(x, m ? 1.0 / m : 1.0) * 0.1, 1.0, 1e-7);
+          reference::expect_derivatives(
+              [&](double r) {
+                return kernel.evaluate(r, Pairing{0.5 * dbar, 0.5 * dbar, dref});
+              },
+              x * dref, dref * std::fmin(x, m ? 1.0 / m : 1.0) * 0.1, 1.0, 1e-7);
     }
 }
 

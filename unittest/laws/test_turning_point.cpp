@@ -16,7 +16,9 @@ const Pairing spheres{0.5, 0.5, 1.0};
 
 template <class Kernel> double turn(const Kernel &kernel, double outer, double kinetic)
 {
-  return turning_point(outer, kernel.core(spheres), kinetic, [&kernel](double r) { return kernel.evaluate(r, spheres); });
+  return turning_point(outer, kernel.core(spheres), kinetic, [&kernel](double r) {
+    return kernel.evaluate(r, spheres);
+  });
 }
 
 // the overlap at rest of eq. 5.16, for energies over ten decades
@@ -26,9 +28,11 @@ TEST(TurningPoint, OfHertz)
   const double K = 4.0 / 3.0 * 1e6 / (2.0 * (1.0 - 0.09)) * std::sqrt(0.25);
   for (double w = 1e-5; w < 0.3; w *= 1.7)
     for (const double start : {0.0, 0.5, 0.999}) {
-      const double all = 0.4 * K * std::pow(w, 2.5), kinetic = all - 0.4 * K * std::pow(start * w, 2.5);
+      const double all = 0.4 * K * std::pow(w, 2.5),
+                   kinetic = all - 0.4 * K * std::pow(start * w, 2.5);
       const double r = turn(kernel, 1.0 - start * w, kinetic);
-      EXPECT_NEAR(0.4 * K * std::pow(1.0 - r, 2.5), all, 0.1 * kinetic + 1e-9 * all) << w << " from " << start;
+      EXPECT_NEAR(0.4 * K * std::pow(1.0 - r, 2.5), all, 0.1 * kinetic + 1e-9 * all)
+          << w << " from " << start;
     }
 }
 
@@ -44,7 +48,8 @@ TEST(TurningPoint, OfEveryLaw)
         ASSERT_GT(r, core);
         ASSERT_LT(r, outer);
         const double before = kernel.evaluate(core + (1.0 - 1e-9) * (outer - core), spheres).energy;
-        EXPECT_NEAR(kernel.evaluate(r, spheres).energy - before, kinetic, 0.1 * kinetic + 1e-9 * std::fabs(before))
+        EXPECT_NEAR(kernel.evaluate(r, spheres).energy - before, kinetic,
+                    0.1 * kinetic + 1e-9 * std::fabs(before))
             << "share " << share;
       }
   };
