@@ -6,6 +6,7 @@
 #include "bond_potdem_truss.h"
 
 #include "fix_potdem_failure.h"
+#include "fix_potdem_refresh.h"
 #include "lammps_compat.h"
 #include "laws/lattice_area.h"
 #include "laws/truss.h"
@@ -47,8 +48,7 @@ static double distance2(const double *a, const double *b)
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
     Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), ledger(nullptr),
-    watch(nullptr), generation(-1), new_bonds(true), longest(0.0), cutghost_own(-1.0),
-    quiet(nullptr), tallied(nullptr)
+    watch(nullptr), generation(-1), new_bonds(true), longest(0.0), quiet(nullptr), tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -163,6 +163,7 @@ void BondPotdemTruss::init_style()
   bond_store->turn_off_failed();
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
+  FixPotdemRefresh::ensure(lmp);
   generation = -1;
   new_bonds = true;
 
@@ -197,38 +198,33 @@ void BondPotdemTruss::find_needs()
 
 /* ----------------------------------------------------------------------
    ghosts must reach the far end of every bond, stretched; a user's own comm_modify cutoff is kept if
-   it covers the bonds as they are
+   it covers the bonds as they are. What this style has set itself is known as such by the bonds' memory
 ------------------------------------------------------------------------- */
 
 void BondPotdemTruss::set_communication()
 {
-  longest = MAX(bond_store->longest(), estimate_longest());
+  longest = bond_store->longest();
   const double need = longest + neighbor->skin;
-  const bool users = comm->cutghostuser > 0.0 && comm->cutghostuser != cutghost_own;
+  const bool users = comm->cutghostuser > 0.0 && comm->cutghostuser != bond_store->ghost_cutoff;
   if (users && comm->cutghostuser < need)
     error->all(
         FLERR,
         "bond_style potdem/truss: the longest bond ({}) and the neighbour skin ({}) are beyond the "
         "communication cutoff {}; increase it with comm_modify cutoff, or leave it out",
         longest, neighbor->skin, comm->cutghostuser);
-  if (!users) comm->cutghostuser = cutghost_own = STRETCH_ALLOWANCE * longest + neighbor->skin;
+  if (!users)
+    comm->cutghostuser = bond_store->ghost_cutoff = STRETCH_ALLOWANCE * longest + neighbor->skin;
 }
 
-// bonds that are not measured yet, as far as their partners are known before the first run
-double BondPotdemTruss::estimate_longest() const
+bool BondPotdemTruss::has_new_bonds() const
 {
-  double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++) {
-      const int j = atom->map(atom->bond_atom[i][m]);
-      if (bond_store->length(i, m) != 0.0 || j < 0) continue;
-      double del[3] = {atom->x[i][0] - atom->x[j][0], atom->x[i][1] - atom->x[j][1],
-                       atom->x[i][2] - atom->x[j][2]};
-      PotdemCompat::minimum_image(domain, del);
-      mine = MAX(mine, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]));
-    }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
+  return bond_store->has_new_bonds();
+}
+
+void BondPotdemTruss::expect_new_bonds()
+{
+  new_bonds = true;
+  set_communication();
 }
 
 double BondPotdemTruss::equilibrium_distance(int /*type*/)
@@ -252,8 +248,11 @@ void BondPotdemTruss::set_strength(int type, double ft, double fc,
 void BondPotdemTruss::pack()
 {
   generation = bond_store->generation;
-  bond_store->measure_new_bonds();
-  if (new_bonds) find_areas();
+  if (new_bonds) {
+    measure_new_bonds();
+    find_areas();
+    new_bonds = false;
+  }
   order_bonds();
 
   const std::size_t n = bonds.partner.size();
@@ -331,23 +330,41 @@ void BondPotdemTruss::check_reach(int i, int j, double re) const
 double BondPotdemTruss::section(int type, int i, int slot) const
 {
   const Coeff &c = coeffs[type];
-  if (c.mode == BODY) return bond_store->area(i, slot);
-  return c.mode == LATTICE ? c.area : c.area * bond_store->section(i, slot);
+  if (c.mode == FACTOR) return c.area * bond_store->section(i, slot);
+  return fabs(bond_store->area(i, slot));
+}
+
+// at set-up it is worth a word: a body that is strained already is measured as it is
+void BondPotdemTruss::measure_new_bonds()
+{
+  bigint ends = bond_store->measure_new_bonds(), all;
+  if (!update->setupflag) return;
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all > 0 && comm->me == 0)
+    utils::logmesg(lmp,
+                   "bond_style potdem/truss: {} bonds that had no reference length take their "
+                   "present one\n",
+                   all / 2);
 }
 
 void BondPotdemTruss::find_areas()
 {
-  new_bonds = false;
   for (int type = 1; type <= atom->nbondtypes; type++) {
     if (!setflag[type]) continue;
-    if (coeffs[type].mode == LATTICE && coeffs[type].area == 0.0) find_lattice(type);
+    if (coeffs[type].mode == LATTICE) find_lattice(type);
     if (coeffs[type].mode == BODY) PotdemBodyArea(lmp, bond_store).solve(type, coeffs[type].area);
   }
 }
 
 /* ----------------------------------------------------------------------
-   area lattice: the lattice is read off the bonds of the particle that has most of them
+   area lattice: the lattice is read off the bonds of the particle that has most of them, of those with bonds that have no
+   section yet. A few bonds that join bodies make no lattice: they get the section of their type
 ------------------------------------------------------------------------- */
+
+bool BondPotdemTruss::lacks_section(int type, int i, int m) const
+{
+  return atom->bond_type[i][m] == type && bond_store->area(i, m) >= 0.0;
+}
 
 void BondPotdemTruss::find_lattice(int type)
 {
@@ -356,9 +373,11 @@ void BondPotdemTruss::find_lattice(int type)
   } mine = {0, comm->me}, most;
   int chosen = -1;
   for (int i = 0; i < atom->nlocal; i++) {
-    const int *types = atom->bond_type[i];
-    const int count = std::count(types, types + atom->num_bond[i], type);
-    if (count > mine.count) {
+    const int *types = atom->bond_type[i], n = atom->num_bond[i];
+    const int count = std::count(types, types + n, type);
+    bool incomplete = false;
+    for (int m = 0; m < n; m++) incomplete = incomplete || lacks_section(type, i, m);
+    if (incomplete && count > mine.count) {
       mine.count = count;
       chosen = i;
     }
@@ -366,27 +385,34 @@ void BondPotdemTruss::find_lattice(int type)
   MPI_Allreduce(&mine, &most, 1, MPI_2INT, MPI_MAXLOC, world);
   if (most.count == 0) return;
 
-  double found[3] = {0.0, 0.0, 0.0};    // section, nearest neighbours, bonds per particle
-  if (comm->me == most.rank) lattice_section(type, chosen, found);
-  MPI_Bcast(found, 3, MPI_DOUBLE, most.rank, world);
-  if (found[0] <= 0.0)
+  LatticeFound found{};
+  if (comm->me == most.rank) found = read_lattice(type, chosen);
+  MPI_Bcast(&found, sizeof(found), MPI_BYTE, most.rank, world);
+  const double known = found.section > 0.0 ? found.section : section_of_lattice(type);
+  if (known <= 0.0)
     error->all(
         FLERR,
         "bond_style potdem/truss: area lattice for bond type {} needs a cubic, bcc, fcc or hcp "
         "lattice with enough bonds to be stiff; the particle with most bonds has {} and {} nearest "
         "neighbours: use area body or area factor",
-        type, most.count, static_cast<int>(found[1]));
-  coeffs[type].area = found[0];
-  if (comm->me == 0)
+        type, most.count, found.nearest);
+  const bigint count = give_section(type, known);
+  if (comm->me != 0) return;
+  if (found.section > 0.0)
     utils::logmesg(
         lmp,
         "bond_style potdem/truss: bond type {}: lattice with {} nearest neighbours and {} bonds "
         "per particle, section {:.8g}\n",
-        type, static_cast<int>(found[1]), static_cast<int>(found[2]), found[0]);
+        type, found.nearest, found.bonds, known);
+  else
+    utils::logmesg(
+        lmp,
+        "bond_style potdem/truss: bond type {}: {} new bonds make no lattice of their own and get "
+        "the section {:.8g} of this type\n",
+        type, count, known);
 }
 
-// section: 0 if the bonds of this particle are not those of a lattice we know
-void BondPotdemTruss::lattice_section(int type, int i, double *found) const
+BondPotdemTruss::LatticeFound BondPotdemTruss::read_lattice(int type, int i) const
 {
   std::vector<double> lengths;
   for (int m = 0; m < atom->num_bond[i]; m++)
@@ -396,14 +422,40 @@ void BondPotdemTruss::lattice_section(int type, int i, double *found) const
   const int nearest = std::count_if(lengths.begin(), lengths.end(), [spacing](double length) {
     return length < spacing * (1.0 + SHELL_TOLERANCE);
   });
-  found[1] = nearest;
+  LatticeFound found{0.0, static_cast<double>(nearest), 0.0};
   const auto lattice = POTDEM::lattice_of(nearest, nearest != 12 || centred(type, i, spacing));
-  if (lattice == POTDEM::Lattice::NONE) return;
+  if (lattice == POTDEM::Lattice::NONE) return found;
   for (const double length : lengths)
-    if (!POTDEM::is_shell(lattice, length / spacing, SHELL_TOLERANCE)) return;
+    if (!POTDEM::is_shell(lattice, length / spacing, SHELL_TOLERANCE)) return found;
   const auto answer = POTDEM::lattice_area(lattice, lengths.back() / spacing);
-  found[2] = answer.bonds;
-  found[0] = answer.area_factor * POTDEM::truss_section(spacing);
+  found.bonds = answer.bonds;
+  found.section = answer.area_factor * POTDEM::truss_section(spacing);
+  return found;
+}
+
+// that the bonds of this type have already; 0: none has
+double BondPotdemTruss::section_of_lattice(int type) const
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (atom->bond_type[i][m] == type) mine = MAX(mine, -bond_store->area(i, m));
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+// to the bonds that have none; how many there are
+bigint BondPotdemTruss::give_section(int type, double section)
+{
+  bigint ends = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (lacks_section(type, i, m)) {
+        bond_store->store_area(i, m, -section);
+        ends++;
+      }
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all / 2;
 }
 
 // fcc, unlike hcp, has every nearest neighbour face another one

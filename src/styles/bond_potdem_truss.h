@@ -46,8 +46,11 @@ class BondPotdemTruss : public Bond {
   const std::vector<Overstretched> &overstretched() const { return over; }
   int partner(int n) const { return bonds.partner[n]; }
   int type(int n) const { return bonds.type[n]; }
-  void refresh();                     // follow the latest rebuild of the bond list
-  void cut(int i, tagint partner);    // no force from here on
+  void refresh();                // follow the latest rebuild of the bond list
+  bool has_new_bonds() const;    // on this rank: such as have come since the last rebuild
+  void expect_new_bonds();       // on all ranks, before a rebuild: ghosts will reach their ends
+  void repack() { generation = -1; }    // masses have changed
+  void cut(int i, tagint partner);      // no force from here on
 
   void stiffen(class PotdemStiffness &);    // for compute potdem/timestep
 
@@ -57,9 +60,8 @@ class BondPotdemTruss : public Bond {
   struct Coeff {
     double E;
     int mode;
-    double
-        area;    // FACTOR: a; LATTICE: the section itself, 0 until the lattice is known; BODY: density or 0
-    int m;    // 0: no non-penetration factor
+    double area;    // FACTOR: a; BODY: density or 0
+    int m;          // 0: no non-penetration factor
     int normalized;
     double xi;    // fraction of critical damping
   };
@@ -87,7 +89,7 @@ class BondPotdemTruss : public Bond {
   class PotdemWatch *watch;      // null: nothing to warn of
   int generation;
   bool new_bonds;    // there may be some since the last run
-  double longest, cutghost_own;
+  double longest;
 
   // the atoms that one thread does, where their forces go, and what it found
   struct Span {
@@ -119,14 +121,21 @@ class BondPotdemTruss : public Bond {
   void adopt(int type);
   void find_needs();
   void set_communication();
-  double estimate_longest() const;
   void pack();
   void order_bonds();
   void check_reach(int i, int j, double re) const;
   double section(int type, int i, int slot) const;
+  void measure_new_bonds();
   void find_areas();
+  bool lacks_section(int type, int i, int slot) const;
   void find_lattice(int type);
-  void lattice_section(int type, int i, double *found) const;
+  struct LatticeFound {
+    double section;    // 0: not a lattice that we know
+    double nearest, bonds;
+  };
+  LatticeFound read_lattice(int type, int i) const;
+  double section_of_lattice(int type) const;
+  bigint give_section(int type, double);
   bool centred(int type, int i, double spacing) const;
   POTDEM::Evaluation law(int type, double r, double re, double modulus) const;
   double energy_at(int n, double q) const;

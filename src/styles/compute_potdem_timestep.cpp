@@ -18,13 +18,11 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
-#include "pair_hybrid.h"
 #include "update.h"
 
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -79,42 +77,16 @@ void ComputePotdemTimestep::init()
 void ComputePotdemTimestep::find_styles()
 {
   bond = BondPotdemTruss::find(lmp);
-  find_pairs();
+  pairs = PairPotdemBase::all(lmp);
   walls = fixes<FixPotdemWallRegion>(modify, "^potdem/wall/region$");
   dampings = fixes<FixPotdemDamping>(modify, "^potdem/damping$");
-}
-
-// PairHybrid keeps its parts to itself and its heirs
-struct HybridParts : public PairHybrid {
-  using PairHybrid::keywords;
-  using PairHybrid::nstyles;
-  using PairHybrid::styles;
-};
-
-// the styles of hybrid, or the one that there is: (style, name)
-static std::vector<std::pair<Pair *, std::string>> parts(Force *force)
-{
-  if (!force->pair) return {};
-  const auto hybrid = dynamic_cast<PairHybrid *>(force->pair);
-  if (!hybrid) return {{force->pair, force->pair_style}};
-  std::vector<std::pair<Pair *, std::string>> found;
-  for (int k = 0; k < hybrid->*&HybridParts::nstyles; k++)
-    found.emplace_back((hybrid->*&HybridParts::styles)[k], (hybrid->*&HybridParts::keywords)[k]);
-  return found;
-}
-
-void ComputePotdemTimestep::find_pairs()
-{
-  pairs.clear();
-  for (const auto &part : parts(force))
-    if (const auto pair = dynamic_cast<PairPotdemBase *>(part.first)) pairs.push_back(pair);
 }
 
 void ComputePotdemTimestep::warn_of_others() const
 {
   if (!bond && atom->nbonds > 0 && force->bond)
     warn_of("bond_style " + std::string(force->bond_style));
-  for (const auto &part : parts(force))
+  for (const auto &part : potdem_pair_parts(force))
     if (!dynamic_cast<PairPotdemBase *>(part.first) && part.second != "zero")
       warn_of("pair_style " + part.second);
 }

@@ -39,7 +39,6 @@ class ComputePotdemTimestep : public Compute {
   PotdemStiffness stiffness;
   double step;
 
-  void find_pairs();
   void warn_of_others() const;
   void warn_of(const std::string &style) const;
   void gather();

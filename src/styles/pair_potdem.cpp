@@ -6,6 +6,7 @@
 #include "pair_potdem.h"
 
 #include "bond_potdem_truss.h"
+#include "fix_potdem_refresh.h"
 #include "lammps_compat.h"
 #include "laws/turning_point.h"
 #include "potdem_bond_store.h"
@@ -18,12 +19,15 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix.h"
 #include "force.h"
 #include "math_extra.h"
 #include "memory.h"
+#include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "pair_hybrid.h"
 #include "update.h"
 
 #include <algorithm>
@@ -32,6 +36,32 @@
 #include <limits>
 
 using namespace LAMMPS_NS;
+
+// PairHybrid keeps its parts to itself and its heirs
+struct HybridParts : public PairHybrid {
+  using PairHybrid::keywords;
+  using PairHybrid::nstyles;
+  using PairHybrid::styles;
+};
+
+std::vector<std::pair<Pair *, std::string>> LAMMPS_NS::potdem_pair_parts(Force *force)
+{
+  if (!force->pair) return {};
+  const auto hybrid = dynamic_cast<PairHybrid *>(force->pair);
+  if (!hybrid) return {{force->pair, force->pair_style}};
+  std::vector<std::pair<Pair *, std::string>> found;
+  for (int k = 0; k < hybrid->*&HybridParts::nstyles; k++)
+    found.emplace_back((hybrid->*&HybridParts::styles)[k], (hybrid->*&HybridParts::keywords)[k]);
+  return found;
+}
+
+std::vector<PairPotdemBase *> PairPotdemBase::all(LAMMPS *lmp)
+{
+  std::vector<PairPotdemBase *> found;
+  for (const auto &part : potdem_pair_parts(lmp->force))
+    if (const auto pair = dynamic_cast<PairPotdemBase *>(part.first)) found.push_back(pair);
+  return found;
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -151,6 +181,7 @@ void PairPotdemBase::init_style()
   bond_store = BondPotdemTruss::find(lmp) ? PotdemBondStore::ensure(lmp) : nullptr;
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
+  FixPotdemRefresh::ensure(lmp);
   watched_step = update->dt;
   find_sizes();
   find_needs();
@@ -197,6 +228,7 @@ void PairPotdemBase::find_sizes()
     radius[type] = MIN(radius[type], atom->radius[i]);
     mass[type] = MIN(mass[type], atom->rmass[i]);
   }
+  add_announced_radii(mine);
   const auto over_ranks = [this](const std::vector<double> &values, std::vector<double> &all,
                                  MPI_Op op) {
     all.resize(values.size());
@@ -205,6 +237,37 @@ void PairPotdemBase::find_sizes()
   over_ranks(mine, largest_radius, MPI_MAX);
   over_ranks(radius, least_radius, MPI_MIN);
   over_ranks(mass, least_mass, MPI_MIN);
+}
+
+// LAMMPS's way to learn of particles that fix pour and fix deposit are going to insert
+void PairPotdemBase::add_announced_radii(std::vector<double> &largest) const
+{
+  for (const auto &fix : modify->get_fix_list())
+    for (int type = 1; type <= atom->ntypes; type++) {
+      int asked = type;
+      const auto *const radius = static_cast<const double *>(fix->extract("radius", asked));
+      if (radius) largest[type] = MAX(largest[type], *radius);
+    }
+}
+
+bool PairPotdemBase::outgrown() const
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int type = atom->type[i];
+    const double radius = atom->radius[i];
+    if (radius > largest_radius[type] || radius < least_radius[type] ||
+        atom->rmass[i] < least_mass[type])
+      return true;
+  }
+  return false;
+}
+
+double PairPotdemBase::reach_per_size() const
+{
+  double most = 0.0;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) most = MAX(most, reach(i, j, 1.0) - reach(i, j, 0.0));
+  return most;
 }
 
 // types without particles have no contacts

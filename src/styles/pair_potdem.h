@@ -27,11 +27,15 @@
 #include "pair.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
 
 class PotdemInput;
+
+// the styles of hybrid, or the one that there is: (style, name)
+std::vector<std::pair<Pair *, std::string>> potdem_pair_parts(class Force *);
 
 class PairPotdemBase : public Pair {
  public:
@@ -52,6 +56,16 @@ class PairPotdemBase : public Pair {
   // for compute potdem/timestep; pairs that touch within the time `ahead` as they will be
   // where they turn back
   void stiffen(class PotdemStiffness &, double ahead);
+  // those in use, also as parts of hybrid
+  static std::vector<PairPotdemBase *> all(class LAMMPS *);
+
+  // for fix POTDEM_REFRESH
+  bool outgrown()
+      const;    // a particle of this rank is larger, smaller or lighter than find_sizes() saw them
+  void find_sizes();    // of the particles that there are, and of those that fixes are to insert
+  double reach_per_size()
+      const;    // how much further the laws reach, at most, over how much larger particles are
+
   // no override: not all LAMMPS versions have these two
   double atom2cut(int);
   double radii2cut(double, double);
@@ -128,7 +142,7 @@ class PairPotdemBase : public Pair {
   };
   std::vector<Published> published;
 
-  void find_sizes();
+  void add_announced_radii(std::vector<double> &largest) const;
   [[noreturn]] void collapsed(int i, int j) const;
   double distance(int i, int j) const;
   bool is_deep(int pair, const POTDEM::Pairing &, double r) const;

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "neighbor.h"
 #include "platform.h"
+#include "update.h"
 
 #include <cmath>
 
@@ -135,6 +136,7 @@ void PotdemBodyArea::report(int type, bigint count, double seconds) const
                    "area body for bond type {}: these bonds cannot make an isotropic solid of this "
                    "body, its stiffness depends on the direction (misfit {:.2g}); increase r_infl",
                    type, body.report.misfit);
+  if (!update->setupflag) return;    // bodies that come during a run may be many
   utils::logmesg(lmp,
                  "bond_style potdem/truss: bond type {}: area body of {} bonds, volume {:.6g}, "
                  "areas {:.3g} to {:.3g} of the uniform one (a = {:.4g}), misfit inside {:.2g}, "

@@ -7,19 +7,23 @@
 
 #include "lammps_compat.h"
 #include "laws/truss.h"
+#include "potdem_gather.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "math_extra.h"
 #include "modify.h"
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
 static constexpr char STORE_ID[] = "POTDEM_BONDS";
+static constexpr double RESTART_VERSION = 2.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -39,15 +43,15 @@ PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
 /* ---------------------------------------------------------------------- */
 
 PotdemBondStore::PotdemBondStore(LAMMPS *lmp, int narg, char **arg) :
-    FixBondHistory(lmp, narg, arg), generation(0), all_types(atom->nbondtypes + 1, 1), noverlap(0),
-    exchanged(nullptr), exchanged_width(0)
+    FixBondHistory(lmp, narg, arg), generation(0), ghost_cutoff(-1.0),
+    all_types(atom->nbondtypes + 1, 1), noverlap(0), exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
 }
 
 int PotdemBondStore::setmask()
 {
-  return POST_NEIGHBOR;
+  return POST_NEIGHBOR | MIN_POST_NEIGHBOR;
 }
 
 void PotdemBondStore::setup_post_neighbor()
@@ -63,6 +67,11 @@ void PotdemBondStore::post_neighbor()
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++)
       if (length(i, m) < 0.0) noverlap++;
+}
+
+void PotdemBondStore::min_post_neighbor()
+{
+  post_neighbor();
 }
 
 double **PotdemBondStore::values() const
@@ -84,13 +93,66 @@ void PotdemBondStore::store_area(int i, int m, double area)
 
 /* ---------------------------------------------------------------------- */
 
+bool PotdemBondStore::is_new(int i, int m) const
+{
+  return length(i, m) == 0.0 && atom->bond_type[i][m] > 0;
+}
+
+bool PotdemBondStore::has_new_bonds() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (is_new(i, m)) return true;
+  return false;
+}
+
 double PotdemBondStore::longest() const
 {
-  double mine = 0.0, all;
+  double mine = longest_new_bond(), all;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) mine = MAX(mine, length(i, m));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;
+}
+
+/* ----------------------------------------------------------------------
+   before there are ghosts that reach far enough: the partner may be a particle of any rank
+------------------------------------------------------------------------- */
+
+double PotdemBondStore::longest_new_bond() const
+{
+  struct Place {
+    tagint tag;
+    double x[3];
+  };
+  const auto here = [this](tagint partner) {
+    const int j = atom->map(partner);
+    return j < atom->nlocal ? j : -1;
+  };
+  std::vector<Place> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (is_new(i, m) && here(atom->bond_atom[i][m]) < 0) {
+        mine.push_back({atom->tag[i], {atom->x[i][0], atom->x[i][1], atom->x[i][2]}});
+        break;
+      }
+  std::unordered_map<tagint, const double *> places;
+  const auto all = potdem_gather(lmp, mine);
+  for (const auto &place : all) places[place.tag] = place.x;
+
+  double most = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (!is_new(i, m)) continue;
+      const int j = here(atom->bond_atom[i][m]);
+      const auto elsewhere = places.find(atom->bond_atom[i][m]);
+      if (j < 0 && elsewhere == places.end()) continue;
+      double del[3];
+      MathExtra::sub3(j >= 0 ? atom->x[j] : elsewhere->second, atom->x[i], del);
+      PotdemCompat::minimum_image(domain, del);
+      most = MAX(most, MathExtra::len3(del));
+    }
+  return most;
 }
 
 int PotdemBondStore::slot(int i, tagint partner) const
@@ -101,16 +163,17 @@ int PotdemBondStore::slot(int i, tagint partner) const
 }
 
 /* ----------------------------------------------------------------------
-   bonds that did not come from potdem_bonds (create_bonds, data file) start from where they are;
+   bonds that did not come from potdem_bonds (create_bonds, data file, fix deposit) start from where they are;
    both ends take the two positions in order of the IDs
 ------------------------------------------------------------------------- */
 
-void PotdemBondStore::measure_new_bonds()
+bigint PotdemBondStore::measure_new_bonds()
 {
   double **x = atom->x;
+  bigint ends = 0;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) {
-      if (length(i, m) != 0.0 || atom->bond_type[i][m] <= 0) continue;
+      if (!is_new(i, m)) continue;
       const int k = atom->map(atom->bond_atom[i][m]);
       if (k < 0)
         error->one(
@@ -124,7 +187,9 @@ void PotdemBondStore::measure_new_bonds()
                              x[high][2] - x[low][2]};
       store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]),
             POTDEM::truss_section(atom->radius[i] + atom->radius[j]));
+      ends++;
     }
+  return ends;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -173,6 +238,26 @@ double PotdemBondStore::failure_distance(int i, tagint partner) const
   for (int m = 0; m < atom->num_bond[i]; m++)
     if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return -length(i, m);
   return 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS's restart files keep the communication cutoff, but not whose it is. Files of older versions have one
+   word here, a flag of FixBondHistory, which is 0 or 1
+------------------------------------------------------------------------- */
+
+void PotdemBondStore::write_restart(FILE *fp)
+{
+  const double state[2] = {RESTART_VERSION, ghost_cutoff};
+  const int size = sizeof(state);
+  if (comm->me != 0) return;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(state, size, 1, fp);
+}
+
+void PotdemBondStore::restart(char *buf)
+{
+  const auto state = reinterpret_cast<const double *>(buf);
+  if (state[0] == RESTART_VERSION) ghost_cutoff = state[1];
 }
 
 /* ---------------------------------------------------------------------- */

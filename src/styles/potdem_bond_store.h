@@ -21,7 +21,8 @@ class PotdemBondStore : public FixBondHistory {
  public:
   // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed at the distance
   // -LENGTH, within reach of the contact law. Such a bond stays in LAMMPS's list with its type negated ('turned off').
-  // AREA: from area body; 0: none yet
+  // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
+  // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again
   enum { LENGTH, SECTION, AREA, NDATA };
 
   static PotdemBondStore *find(LAMMPS *);
@@ -31,6 +32,9 @@ class PotdemBondStore : public FixBondHistory {
   int setmask() override;
   void setup_post_neighbor() override;
   void post_neighbor() override;
+  void min_post_neighbor() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
 
   void store(int i, int slot, double length, double section, double area = 0.0);
   void store_area(int i, int slot, double area);
@@ -39,9 +43,11 @@ class PotdemBondStore : public FixBondHistory {
 
   double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
 
-  double longest() const;                   // largest reference length on any rank
+  bool is_new(int i, int slot) const;    // a live bond without a reference length
+  bool has_new_bonds() const;            // on this rank
+  double longest() const;    // largest reference length on any rank; of new bonds, the present one
   int slot(int i, tagint partner) const;    // bond of owned atom i with this partner, or -1
-  void measure_new_bonds();                 // bonds without a reference length get the present one
+  bigint measure_new_bonds();    // they get the present length; how many there were on this rank
   void remove(int i, int slot,
               double contact);    // bond of owned atom i; keep contact distance if > 0
   void
@@ -60,6 +66,8 @@ class PotdemBondStore : public FixBondHistory {
   void unpack_reverse_comm(int, int *, double *) override;
 
   int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
+  double
+      ghost_cutoff;    // the communication cutoff that the bond style set, not the user; < 0: none
 
  private:
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
@@ -68,6 +76,7 @@ class PotdemBondStore : public FixBondHistory {
   int exchanged_width;
 
   double **values() const;
+  double longest_new_bond() const;
   void forget_special(int i, tagint partner);
 };
 

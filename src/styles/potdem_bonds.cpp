@@ -263,12 +263,14 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
       old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
                      store ? store->section(i, m) : 0.0, store ? store->area(i, m) : 0.0});
     }
+  const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
   if (store) modify->delete_fix(store->id);
 
   atom->bond_per_atom = nbond;
   atom->avec->grow(atom->nmax);
 
   store = PotdemBondStore::ensure(lmp);
+  store->ghost_cutoff = ghost_cutoff;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
   for (std::size_t k = 0; k < old.size(); k++) {
     const int i = old[k].i, m = atom->num_bond[i]++;
