@@ -47,8 +47,9 @@ static double distance2(const double *a, const double *b)
 /* ---------------------------------------------------------------------- */
 
 BondPotdemTruss::BondPotdemTruss(LAMMPS *lmp) :
-    Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), ledger(nullptr),
-    watch(nullptr), generation(-1), new_bonds(true), longest(0.0), quiet(nullptr), tallied(nullptr)
+    Bond(lmp), failing(NEVER), hindered(false), damped(false), bond_store(nullptr), lost(false),
+    ledger(nullptr), watch(nullptr), generation(-1), new_bonds(true), longest(0.0), quiet(nullptr),
+    tallied(nullptr)
 {
   partial_flag = 1;
   writedata = 1;
@@ -160,6 +161,7 @@ void BondPotdemTruss::init_style()
                "sets it: "
                "bonded pairs do not touch, all others do");
   bond_store = PotdemBondStore::ensure(lmp);
+  lost = false;
   bond_store->turn_off_failed();
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
@@ -219,6 +221,12 @@ void BondPotdemTruss::set_communication()
 bool BondPotdemTruss::has_new_bonds() const
 {
   return bond_store->has_new_bonds();
+}
+
+void BondPotdemTruss::lose_memory()
+{
+  bond_store = nullptr;
+  lost = true;
 }
 
 void BondPotdemTruss::expect_new_bonds()
@@ -699,6 +707,7 @@ double BondPotdemTruss::single(int type, double rsq, int i, int j, double &fforc
   fforce = 0.0;
   std::fill(svector, svector + single_extra, 0.0);
   if (type <= 0) return 0.0;
+  if (!bond_store) PotdemBondStore::get(lmp, "bond_style potdem/truss");
   const int owned = i < atom->nlocal ? i : j, other = owned == i ? j : i;
   const int slot = bond_store->slot(owned, atom->tag[other]);
   if (slot < 0 || bond_store->length(owned, slot) <= 0.0) return 0.0;

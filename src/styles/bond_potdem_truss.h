@@ -49,6 +49,8 @@ class BondPotdemTruss : public Bond {
   void refresh();                // follow the latest rebuild of the bond list
   bool has_new_bonds() const;    // on this rank: such as have come since the last rebuild
   void expect_new_bonds();       // on all ranks, before a rebuild: ghosts will reach their ends
+  void lose_memory();            // somebody removes the fix
+  bool lost_memory() const { return lost; }
   void repack() { generation = -1; }    // masses have changed
   void cut(int i, tagint partner);      // no force from here on
 
@@ -84,7 +86,8 @@ class BondPotdemTruss : public Bond {
   Packed bonds;
   std::vector<Overstretched> over;
 
-  class PotdemBondStore *bond_store;
+  class PotdemBondStore *bond_store;    // null before the first run, or lost
+  bool lost;
   class PotdemLedger *ledger;    // null: no compute potdem/energy
   class PotdemWatch *watch;      // null: nothing to warn of
   int generation;

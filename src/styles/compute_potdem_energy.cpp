@@ -29,7 +29,7 @@ static constexpr char LEDGER_ID[] = "POTDEM_LEDGER";
 /* ---------------------------------------------------------------------- */
 
 ComputePotdemEnergy::ComputePotdemEnergy(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), inertia(POTDEM::SPHERE_INERTIA), ledger(nullptr)
+    Compute(lmp, narg, arg), inertia(POTDEM::SPHERE_INERTIA)
 {
   PotdemInput input(lmp, "compute potdem/energy", narg - 3, arg + 3);
   while (!input.done()) {
@@ -49,19 +49,30 @@ ComputePotdemEnergy::ComputePotdemEnergy(LAMMPS *lmp, int narg, char **arg) :
   peflag = 1;    // the pair and bond styles tally their energies on the steps of this compute
   timeflag = 1;
   vector = new double[NTERMS];
-  ledger =
-      dynamic_cast<PotdemLedger *>(modify->add_fix(fmt::format("{} all POTDEM_LEDGER", LEDGER_ID)));
+  modify->add_fix(fmt::format("{} all POTDEM_LEDGER", LEDGER_ID));
 }
 
 ComputePotdemEnergy::~ComputePotdemEnergy()
 {
-  if (modify->nfix) modify->delete_fix(LEDGER_ID);
+  if (modify->get_fix_by_id(LEDGER_ID)) modify->delete_fix(LEDGER_ID);
   delete[] vector;
 }
 
 void ComputePotdemEnergy::init()
 {
-  ledger = dynamic_cast<PotdemLedger *>(modify->get_fix_by_id(LEDGER_ID));
+  ledger();
+}
+
+PotdemLedger *ComputePotdemEnergy::ledger() const
+{
+  auto *const found = dynamic_cast<PotdemLedger *>(modify->get_fix_by_id(LEDGER_ID));
+  if (!found)
+    error->all(
+        FLERR,
+        "compute potdem/energy {}: its fix {}, which sums up what is lost, was removed with unfix; "
+        "define the compute again, for a sum that begins there",
+        id, LEDGER_ID);
+  return found;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -94,10 +105,10 @@ void ComputePotdemEnergy::compute_vector()
   vector[GRAVITY] = over_fixes("^gravity", true);
   vector[WALLS] = over_fixes("^potdem/wall", true);
   vector[FRACTURE] = over_fixes("^potdem/failure", false);
-  vector[FRICTION] = ledger->heat(PotdemLedger::FRICTION);
-  vector[VISCOUS] = ledger->heat(PotdemLedger::VISCOUS);
-  vector[DAMPING] = ledger->heat(PotdemLedger::DAMPING);
-  vector[WALL_WORK] = ledger->wall_work();
+  vector[FRICTION] = ledger()->heat(PotdemLedger::FRICTION);
+  vector[VISCOUS] = ledger()->heat(PotdemLedger::VISCOUS);
+  vector[DAMPING] = ledger()->heat(PotdemLedger::DAMPING);
+  vector[WALL_WORK] = ledger()->wall_work();
 }
 
 // of this rank; spin included where particles have it

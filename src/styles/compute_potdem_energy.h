@@ -34,7 +34,7 @@ class ComputePotdemEnergy : public Compute {
   };
 
   double inertia;    // of a particle, over m r^2
-  class PotdemLedger *ledger;
+  class PotdemLedger *ledger() const;
   double kinetic() const;
   double over_fixes(const char *style, bool scalar) const;
 };

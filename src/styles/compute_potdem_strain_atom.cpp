@@ -11,13 +11,13 @@
 
 #include "compute_potdem_strain_atom.h"
 
+#include "fix_potdem_reference.h"
 #include "lammps_compat.h"
 #include "laws/truss.h"
 #include "potdem_bond_store.h"
 
 #include "atom.h"
 #include "error.h"
-#include "fix.h"
 #include "math_eigen_impl.h"
 #include "memory.h"
 #include "modify.h"
@@ -52,28 +52,27 @@ ComputePotdemStrainAtom::ComputePotdemStrainAtom(LAMMPS *lmp, int narg, char **a
 
 ComputePotdemStrainAtom::~ComputePotdemStrainAtom()
 {
-  if (modify->nfix) modify->delete_fix(fix_id);
+  if (modify->get_fix_by_id(fix_id)) modify->delete_fix(fix_id);
   memory->destroy(strain);
 }
 
 /* ----------------------------------------------------------------------
-   the directions of the bonds in the reference state: positions when the compute is defined, carried
-   with the atoms (and through restarts) by fix property/atom
+   the directions of the bonds in the reference state: positions when the compute is defined, or when a particle
+   comes later
 ------------------------------------------------------------------------- */
 
 void ComputePotdemStrainAtom::keep_reference()
 {
   fix_id = std::string(id) + "_REFERENCE";
-  property = std::string("potdem_") + id;
-  auto fix = modify->add_fix(
-      fmt::format("{} all property/atom d2_{} 3 ghost yes writedata no", fix_id, property));
+  auto *const fix = dynamic_cast<FixPotdemReference *>(
+      modify->add_fix(fmt::format("{} all POTDEM_REFERENCE d2_potdem_{} {} ghost yes writedata no",
+                                  fix_id, id, static_cast<int>(FixPotdemReference::COLUMNS))));
   if (fix->restart_reset) {
     fix->restart_reset = 0;
     return;
   }
-  double **reference = atom->darray[reference_index()];
-  for (int i = 0; i < atom->nlocal; i++) memcpy(reference[i], atom->x[i], 3 * sizeof(double));
-  check_reference(reference);
+  fix->take_all();
+  check_reference(fix->places());
 }
 
 void ComputePotdemStrainAtom::check_reference(double **reference)
@@ -96,15 +95,22 @@ void ComputePotdemStrainAtom::check_reference(double **reference)
     }
 }
 
-int ComputePotdemStrainAtom::reference_index() const
+double **ComputePotdemStrainAtom::reference() const
 {
-  int is_double, columns;
-  return atom->find_custom(property.c_str(), is_double, columns);
+  const auto *const fix = dynamic_cast<FixPotdemReference *>(modify->get_fix_by_id(fix_id));
+  if (!fix)
+    error->all(FLERR,
+               "compute potdem/strain/atom {}: its fix {}, which keeps the reference positions, "
+               "was removed; "
+               "define the compute again",
+               id, fix_id);
+  return fix->places();
 }
 
 void ComputePotdemStrainAtom::init()
 {
-  bond_store = PotdemBondStore::find(lmp);
+  bond_store = PotdemBondStore::get(lmp, fmt::format("compute potdem/strain/atom {}", id));
+  reference();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -118,10 +124,11 @@ void ComputePotdemStrainAtom::compute_peratom()
     memory->create(strain, nmax, COLUMNS, "potdem/strain/atom:strain");
     array_atom = strain;
   }
-  double **reference = atom->darray[reference_index()];
+  init();
+  double **const places = reference();
   for (int i = 0; i < atom->nlocal; i++) {
     memset(strain[i], 0, COLUMNS * sizeof(double));
-    if (atom->mask[i] & groupbit) fit(i, reference, strain[i]);
+    if (atom->mask[i] & groupbit) fit(i, places, strain[i]);
   }
 }
 
@@ -148,11 +155,13 @@ void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
     for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
     if (fabs(n2 - re * re) > 2.0 * MOVED * re * re)
       error->one(FLERR,
-                 "compute potdem/strain/atom {}: the reference state of the bond of atoms {} and "
-                 "{} is lost, "
-                 "because the periodic box has changed; strain across a periodic boundary needs a "
-                 "box of fixed size",
-                 id, atom->tag[i], atom->tag[j]);
+                 "compute potdem/strain/atom {}: the bond of atoms {} and {} has the reference "
+                 "length {}, but their "
+                 "reference positions are {} apart: they were bonded after the compute had seen "
+                 "them elsewhere, "
+                 "or a periodic box has changed its size; define the compute after the bonds, and "
+                 "strain across a periodic boundary needs a box of fixed size",
+                 id, atom->tag[i], atom->tag[j], re, sqrt(n2));
     const double row[6] = {n[0] * n[0] / n2,           n[1] * n[1] / n2,
                            n[2] * n[2] / n2,           M_SQRT2 * n[0] * n[1] / n2,
                            M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};

@@ -23,12 +23,12 @@ class ComputePotdemStrainAtom : public Compute {
  private:
   int nmax;
   double **strain;
-  std::string fix_id, property;    // reference positions, kept by LAMMPS's fix property/atom
+  std::string fix_id;    // of the reference positions
   class PotdemBondStore *bond_store;
 
   void keep_reference();
   void check_reference(double **reference);
-  int reference_index() const;
+  double **reference() const;
   void fit(int i, double **reference, double *out);
 };
 

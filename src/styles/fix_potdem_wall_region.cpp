@@ -182,6 +182,15 @@ void FixPotdemWallRegion::check_rotation()
                "Fix potdem/wall/region {}: rotation needs an atom style with spin, e.g. atom_style "
                "sphere",
                id);
+  if (!watch || friction.mu == 0.0) return;
+  int mine = 0, any;
+  for (int i = 0; i < atom->nlocal && atom->num_bond; i++)
+    if (atom->mask[i] & groupbit)
+      mine |= std::any_of(atom->bond_type[i], atom->bond_type[i] + atom->num_bond[i], [](int type) {
+        return type > 0;
+      });
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any) potdem_warn_of_rolling_bodies(lmp, fmt::format("Fix potdem/wall/region {}", id));
 }
 
 void FixPotdemWallRegion::setup(int vflag)

@@ -190,6 +190,8 @@ void PairPotdemBase::init_style()
     error->all(FLERR,
                "pair_style {}: rotation needs an atom style with spin, e.g. atom_style sphere",
                name());
+  if (rotation && sliding && watch && atom->nbonds > 0)
+    potdem_warn_of_rolling_bodies(lmp, fmt::format("pair_style {}", name()));
   if (sliding || viscous) comm->ghost_velocity = 1;
   neighbor->add_request(this, touching() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
 }

@@ -66,6 +66,10 @@ class PairPotdemBase : public Pair {
   double reach_per_size()
       const;    // how much further the laws reach, at most, over how much larger particles are
 
+  // somebody removes one of our fixes
+  void lose_memory() { bond_store = nullptr; }
+  void lose_watch() { watch = nullptr; }
+
   // no override: not all LAMMPS versions have these two
   double atom2cut(int);
   double radii2cut(double, double);

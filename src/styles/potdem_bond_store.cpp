@@ -5,13 +5,17 @@
 
 #include "potdem_bond_store.h"
 
+#include "bond_potdem_truss.h"
 #include "lammps_compat.h"
 #include "laws/truss.h"
+#include "pair_potdem.h"
 #include "potdem_gather.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "math_extra.h"
 #include "modify.h"
 
@@ -32,12 +36,34 @@ PotdemBondStore *PotdemBondStore::find(LAMMPS *lmp)
   return dynamic_cast<PotdemBondStore *>(lmp->modify->get_fix_by_id(STORE_ID));
 }
 
-PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
+// LAMMPS fixes the number of bonds per atom when the box is created, perhaps at none
+PotdemBondStore *PotdemBondStore::create(LAMMPS *lmp)
 {
-  auto store = find(lmp);
-  if (store) return store;
+  if (lmp->atom->bond_per_atom == 0) {
+    lmp->atom->bond_per_atom = 1;
+    lmp->atom->avec->grow(lmp->atom->nmax);
+  }
   return dynamic_cast<PotdemBondStore *>(lmp->modify->add_fix(
       fmt::format("{} all POTDEM_BOND_HISTORY 0 {}", STORE_ID, static_cast<int>(NDATA))));
+}
+
+PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
+{
+  if (auto *const store = find(lmp)) return store;
+  const auto *const bond = BondPotdemTruss::find(lmp);
+  return bond && bond->lost_memory() ? get(lmp, "bond_style potdem/truss") : create(lmp);
+}
+
+PotdemBondStore *PotdemBondStore::get(LAMMPS *lmp, const std::string &who)
+{
+  auto *const store = find(lmp);
+  if (!store)
+    lmp->error->all(
+        FLERR,
+        "{}: fix {}, in which the bonds remember their reference lengths, was removed with "
+        "unfix: leave it, or begin anew with the undeformed body",
+        who, STORE_ID);
+  return store;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -47,6 +73,14 @@ PotdemBondStore::PotdemBondStore(LAMMPS *lmp, int narg, char **arg) :
     all_types(atom->nbondtypes + 1, 1), noverlap(0), exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
+}
+
+// not when LAMMPS ends
+PotdemBondStore::~PotdemBondStore()
+{
+  if (!force) return;
+  if (auto *const bond = BondPotdemTruss::find(lmp)) bond->lose_memory();
+  for (auto *const pair : PairPotdemBase::all(lmp)) pair->lose_memory();
 }
 
 int PotdemBondStore::setmask()

@@ -13,6 +13,7 @@
 
 #include "fix_bond_history.h"
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -26,9 +27,12 @@ class PotdemBondStore : public FixBondHistory {
   enum { LENGTH, SECTION, AREA, NDATA };
 
   static PotdemBondStore *find(LAMMPS *);
-  static PotdemBondStore *ensure(LAMMPS *);
+  static PotdemBondStore *create(LAMMPS *);
+  static PotdemBondStore *ensure(LAMMPS *);    // error if there was one that is gone
+  static PotdemBondStore *get(LAMMPS *, const std::string &who);    // error if there is none
 
   PotdemBondStore(LAMMPS *, int, char **);
+  ~PotdemBondStore() override;
   int setmask() override;
   void setup_post_neighbor() override;
   void post_neighbor() override;

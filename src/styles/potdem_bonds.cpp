@@ -16,6 +16,7 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
+#include "math_extra.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 using namespace LAMMPS_NS;
 
@@ -65,9 +67,11 @@ void PotdemBonds::command(int narg, char **arg)
           cutoff, domain->prd[k]);
 
   const auto bonds = find_pairs(neighbours(cutoff));
+  const bigint count = count_bonds(bonds);
+  if (count == 0) found_none(cutoff);
   make_room(bonds);
   add(bonds);
-  report(bonds);
+  report(count);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -141,33 +145,55 @@ void PotdemBonds::take_over_settings()
   for (int k = 1; k < 4; k++) force->special_lj[k] = force->special_coul[k] = weights[k];
 }
 
-// stands in for the user's pair style, which may come later, and gives the neighbour list its cutoff
-Pair *PotdemBonds::stand_in(double cutoff)
-{
-  int suffix;
-  Pair *pair = force->new_pair("zero", 0, suffix);
-  std::string text = fmt::format("{:.17g}", cutoff), all = "*";
-  char *settings[] = {&text[0]}, *coeff[] = {&all[0], &all[0]};
-  pair->settings(1, settings);
-  pair->coeff(2, coeff);
-  pair->init();
-  return pair;
-}
-
 /* ----------------------------------------------------------------------
-   an occasional LAMMPS neighbour list of this cutoff; the user's pair and bond styles stay out of it,
-   so that they may be defined before or after this command
+   An occasional LAMMPS neighbour list of this cutoff. The user's pair and bond styles stay out of it, so that they may
+   be defined before or after this command: while it lives, a pair style that gives the list its cutoff stands in. They
+   come back whatever is thrown meanwhile, which the user of a library may catch
 ------------------------------------------------------------------------- */
+
+namespace {
+class StandIn {
+ public:
+  StandIn(Force *_force, double cutoff) :
+      force(_force), pair(_force->pair), bond(_force->bond), pair_style(_force->pair_style),
+      bond_style(_force->bond_style)
+  {
+    int suffix;
+    zero.reset(force->new_pair("zero", 0, suffix));
+    std::string text = fmt::format("{:.17g}", cutoff), all = "*";
+    char *settings[] = {&text[0]}, *coeff[] = {&all[0], &all[0]};
+    zero->settings(1, settings);
+    zero->coeff(2, coeff);
+    zero->init();
+    force->pair = zero.get();
+    force->bond = nullptr;
+    force->pair_style = force->bond_style = none;
+  }
+
+  ~StandIn()
+  {
+    force->pair = pair;
+    force->bond = bond;
+    force->pair_style = pair_style;
+    force->bond_style = bond_style;
+  }
+
+  StandIn(const StandIn &) = delete;
+  StandIn &operator=(const StandIn &) = delete;
+
+ private:
+  Force *force;
+  Pair *pair;
+  Bond *bond;
+  char *pair_style, *bond_style;
+  char none[5] = "none";
+  std::unique_ptr<Pair> zero;
+};
+}    // namespace
 
 NeighList *PotdemBonds::neighbours(double cutoff)
 {
-  char none[] = "none";
-  auto pair = force->pair;
-  auto bond = force->bond;
-  auto pair_style = force->pair_style, bond_style = force->bond_style;
-  force->pair = stand_in(cutoff);
-  force->bond = nullptr;
-  force->pair_style = force->bond_style = none;
+  const StandIn stand_in(force, cutoff);
   neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL);
 
   domain->init();
@@ -185,28 +211,25 @@ NeighList *PotdemBonds::neighbours(double cutoff)
   neighbor->build(0);
   auto list = neighbor->find_list(this);
   neighbor->build_one(list);
-
-  delete force->pair;
-  force->pair = pair;
-  force->bond = bond;
-  force->pair_style = pair_style;
-  force->bond_style = bond_style;
   return list;
 }
 
 /* ---------------------------------------------------------------------- */
 
+bool PotdemBonds::may_bond(int i, int j) const
+{
+  return atom->mask[i] & atom->mask[j] & group->bitmask[igroup];
+}
+
 std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
 {
   std::vector<NewBond> found;
-  const int groupbit = group->bitmask[igroup];
   double **x = atom->x;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    if (!(atom->mask[i] & groupbit)) continue;
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (!(atom->mask[j] & groupbit)) continue;
+      if (!may_bond(i, j)) continue;
       // the same two positions in the same order from both ends
       const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
       const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
@@ -269,7 +292,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
   atom->bond_per_atom = nbond;
   atom->avec->grow(atom->nmax);
 
-  store = PotdemBondStore::ensure(lmp);
+  store = PotdemBondStore::create(lmp);
   store->ghost_cutoff = ghost_cutoff;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
   for (std::size_t k = 0; k < old.size(); k++) {
@@ -298,21 +321,67 @@ void PotdemBonds::add(const std::vector<NewBond> &bonds)
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBonds::report(const std::vector<NewBond> &bonds)
+void PotdemBonds::report(bigint count)
+{
+  atom->nbonds += count;
+  const double per_particle = 2.0 * static_cast<double>(count) / group->count(igroup);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n",
+                   count, btype, group->names[igroup], per_particle);
+}
+
+// over all ranks, without the pairs that a crack cuts
+bigint PotdemBonds::count_bonds(const std::vector<NewBond> &bonds) const
 {
   bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) {
     return b.length > 0.0;
   });
   bigint all;
   MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  atom->nbonds += all / 2;
-  if (all == 0)
-    error->all(FLERR,
-               "potdem_bonds: no two particles of group '{}' that are not bonded already are "
-               "within r_infl = {}{}",
-               group->names[igroup], reach, in_diameters ? " diameters" : "");
-  const double per_particle = static_cast<double>(all) / group->count(igroup);
-  if (comm->me == 0)
-    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n",
-                   all / 2, btype, group->names[igroup], per_particle);
+  return all / 2;
+}
+
+/* ----------------------------------------------------------------------
+   why there is no bond: the crack cuts every pair, or r_infl is below every distance
+------------------------------------------------------------------------- */
+
+void PotdemBonds::found_none(double cutoff)
+{
+  const auto within = fmt::format("r_infl = {}{}", reach, in_diameters ? " diameters" : "");
+  if (region) {
+    region = nullptr;
+    if (count_bonds(find_pairs(neighbours(cutoff))) > 0)
+      error->all(FLERR,
+                 "potdem_bonds: the crack, region {}, cuts every pair of group '{}' within {}: "
+                 "make it thinner",
+                 crack, group->names[igroup], within);
+  }
+  const double shortest = shortest_distance(cutoff);
+  error->all(
+      FLERR,
+      "potdem_bonds: no two particles of group '{}' that are not bonded already are within {}; {}",
+      group->names[igroup], within,
+      shortest > 0.0 ? fmt::format("the shortest distance between two of them is {:.6g}", shortest)
+                     : "there are no two of them near each other");
+}
+
+// beyond the cutoff; 0 if there is none within eight times of it
+double PotdemBonds::shortest_distance(double cutoff)
+{
+  double mine = HUGE_VAL, all = HUGE_VAL;
+  for (int doubled = 0; doubled < 3 && !std::isfinite(all); doubled++) {
+    cutoff *= 2.0;
+    const auto *const list = neighbours(cutoff);
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii];
+      for (int jj = 0; jj < list->numneigh[i]; jj++) {
+        const int j = list->firstneigh[i][jj] & NEIGHMASK;
+        double del[3];
+        MathExtra::sub3(atom->x[i], atom->x[j], del);
+        if (may_bond(i, j)) mine = MIN(mine, MathExtra::len3(del));
+      }
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  }
+  return std::isfinite(all) ? all : 0.0;
 }

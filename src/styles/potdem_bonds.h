@@ -39,14 +39,17 @@ class PotdemBonds : public Command {
   void check_style();
   void check_atoms();
   void take_over_settings();
-  class Pair *stand_in(double cutoff);
   class NeighList *neighbours(double cutoff);
   std::vector<NewBond> find_pairs(class NeighList *);
+  bigint count_bonds(const std::vector<NewBond> &) const;
+  [[noreturn]] void found_none(double cutoff);
+  double shortest_distance(double cutoff);
+  bool may_bond(int i, int j) const;
   bool crosses_crack(const double *from, const double *to) const;
   void make_room(const std::vector<NewBond> &);
   void grow_bonds_per_atom(int);
   void add(const std::vector<NewBond> &);
-  void report(const std::vector<NewBond> &);
+  void report(bigint count);
 };
 
 }    // namespace LAMMPS_NS

@@ -8,6 +8,7 @@
 #include "potdem_material_file.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "fix.h"
 #include "modify.h"
@@ -29,6 +30,18 @@ void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
 bool LAMMPS_NS::potdem_minimizes(LAMMPS *lmp)
 {
   return lmp->update->whichflag == 2;
+}
+
+void LAMMPS_NS::potdem_warn_of_rolling_bodies(LAMMPS *lmp, const std::string &who)
+{
+  if (lmp->comm->me == 0)
+    lmp->error->warning(FLERR,
+                        "{}: rotation lets bonded particles spin freely, because trusses carry no "
+                        "moments: a body rolls "
+                        "away on the particles on which it rests, whatever their friction; use "
+                        "rotation no where bodies "
+                        "touch",
+                        who);
 }
 
 void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &reason,

@@ -26,6 +26,9 @@ void potdem_refuse_respa(LAMMPS *lmp, const std::string &command);
 // in a minimization velocities mean nothing: no friction, no viscous forces, no ledger
 bool potdem_minimizes(LAMMPS *lmp);
 
+// who: the style that lets particles spin that have bonds
+void potdem_warn_of_rolling_bodies(LAMMPS *lmp, const std::string &who);
+
 // error if a fix that is defined after this one may change forces, which this one must see: all but LAMMPS's
 // own bookkeeping (upper case) and the styles that `may_follow` (a pattern) names
 void potdem_require_last(LAMMPS *lmp, class Fix *fix, const std::string &reason,

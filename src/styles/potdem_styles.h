@@ -22,6 +22,7 @@ FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
 FixStyle(POTDEM_LEDGER,PotdemLedger);
+FixStyle(POTDEM_REFERENCE,FixPotdemReference);
 FixStyle(POTDEM_REFRESH,FixPotdemRefresh);
 FixStyle(POTDEM_WATCH,PotdemWatch);
 #elif defined(COMPUTE_CLASS)
@@ -42,6 +43,7 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "compute_potdem_timestep.h"
 #include "fix_potdem_damping.h"
 #include "fix_potdem_failure.h"
+#include "fix_potdem_reference.h"
 #include "fix_potdem_refresh.h"
 #include "fix_potdem_timestep.h"
 #include "fix_potdem_wall_region.h"

@@ -6,13 +6,16 @@
 #include "potdem_watch.h"
 
 #include "compute_potdem_timestep.h"
+#include "pair_potdem.h"
 #include "potdem_input.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "min.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "update.h"
 
 #include <cmath>
@@ -25,6 +28,8 @@ static constexpr int EVERY = 1000;    // steps between two checks of the critica
 static constexpr double ROUNDING = 1e-9;
 // in half a period of one spring: the energy then errs by up to about (pi/6)^2/4 of what it exchanges
 static constexpr double FEWEST_STEPS = 6.0;
+// over the smallest diameter: a larger skin is worth a word, and what to write instead
+static constexpr double LARGEST_SKIN = 0.5, GOOD_SKIN = 0.2;
 
 /* ---------------------------------------------------------------------- */
 
@@ -45,7 +50,12 @@ PotdemWatch::PotdemWatch(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg
   critical = std::make_unique<ComputePotdemTimestep>(lmp, words.narg(), words.arg());
 }
 
-PotdemWatch::~PotdemWatch() = default;
+// the command timestep asks the pair styles for their alarms anew. Not when LAMMPS ends
+PotdemWatch::~PotdemWatch()
+{
+  if (!force) return;
+  for (auto *const pair : PairPotdemBase::all(lmp)) pair->lose_watch();
+}
 
 int PotdemWatch::setmask()
 {
@@ -75,6 +85,50 @@ int PotdemWatch::find_moving() const
 void PotdemWatch::setup(int /*vflag*/)
 {
   check_critical();
+  check_skin();
+}
+
+// infinite where there are no particles with a diameter
+double PotdemWatch::least_diameter() const
+{
+  double mine = HUGE_VAL, all;
+  if (atom->radius_flag)
+    for (int i = 0; i < atom->nlocal; i++) mine = MIN(mine, 2.0 * atom->radius[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  return all;
+}
+
+// LAMMPS's default of 1 mm in SI units knows nothing of the particles
+void PotdemWatch::check_skin() const
+{
+  if (update->nsteps == 0) return;
+  const double least = least_diameter();
+  if (!(neighbor->skin > LARGEST_SKIN * least)) return;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "The neighbour skin {:g} is large for particles of diameter {:g}: most pairs in "
+                   "the neighbour "
+                   "lists are far from touching, and cost time; write 'neighbor {:.2g} bin'",
+                   neighbor->skin, least, GOOD_SKIN * least);
+}
+
+// LAMMPS keeps it from all but the minimisers
+struct MinStep : public Min {
+  using Min::dmax;
+};
+
+// likewise its default of 0.1 m
+void PotdemWatch::min_setup(int /*vflag*/)
+{
+  const double least = least_diameter(), most = update->minimize->*&MinStep::dmax;
+  if (!(most > 0.5 * least)) return;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "A particle may move {:g} in one step of this minimisation, further than the "
+                   "radius of one of "
+                   "diameter {:g}: bonds may be torn from their ends; write 'min_modify dmax "
+                   "{:.2g}' after min_style",
+                   most, least, GOOD_SKIN * least);
 }
 
 void PotdemWatch::end_of_step()

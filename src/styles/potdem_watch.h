@@ -31,6 +31,7 @@ class PotdemWatch : public Fix {
   int setmask() override;
   void init() override;
   void setup(int) override;
+  void min_setup(int) override;
   void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
@@ -61,6 +62,8 @@ class PotdemWatch : public Fix {
   // a warning is put into words only if it is the first of its kind: loops may ask for it again and again
   template <typename Words> void say(Reason, const Words &words);
   void check_critical();
+  void check_skin() const;
+  double least_diameter() const;
   int find_moving() const;
   double inverse_mass(int i) const;    // 0: held
   double steps_of(double stiffness, double inverse_masses) const;
