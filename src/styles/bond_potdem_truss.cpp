@@ -166,17 +166,22 @@ void BondPotdemTruss::init_style()
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
   FixPotdemRefresh::ensure(lmp);
-  generation = -1;
   new_bonds = true;
 
-  for (int type = 1; type <= atom->nbondtypes; type++) {
-    adopt(type);
+  reinit();
+  for (int type = 1; type <= atom->nbondtypes; type++)
     if (setflag[type] && coeffs[type].mode == BODY)
       bond_store->allow_exchange(POTDEM::BodyArea::WIDEST);
-  }
+  set_communication();
+}
+
+// what fix adapt calls when it has changed coefficients, at any step
+void BondPotdemTruss::reinit()
+{
+  for (int type = 1; type <= atom->nbondtypes; type++) adopt(type);
   find_needs();
   if (damped) comm->ghost_velocity = 1;
-  set_communication();
+  generation = -1;
 }
 
 void BondPotdemTruss::find_needs()

@@ -22,6 +22,7 @@ class BondPotdemTruss : public Bond {
   BondPotdemTruss(class LAMMPS *);
   ~BondPotdemTruss() override;
   void init_style() override;
+  void reinit() override;
   void compute(int, int) override;
   void settings(int, char **) override;
   void coeff(int, char **) override;

@@ -34,7 +34,10 @@ void FixPotdemRefresh::ensure(LAMMPS *lmp)
 {
   auto *const modify = lmp->modify;
   auto *const found = modify->get_fix_by_id(REFRESH_ID);
-  if (found && found == modify->get_fix_by_index(modify->nfix - 1)) return;
+  // within a run the order is settled: there fix adapt has styles of bond_style hybrid initialised again
+  const auto *const update = lmp->update;
+  const bool begun = update->setupflag || update->ntimestep > update->firststep;
+  if (found && (begun || found == modify->get_fix_by_index(modify->nfix - 1))) return;
   if (found) modify->delete_fix(REFRESH_ID);
   modify->add_fix(fmt::format("{} all POTDEM_REFRESH", REFRESH_ID));
 }

@@ -9,8 +9,9 @@ ALL_DIGITS = "%.17g"
 
 
 def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3,
-        centre=0.0):
-    """an empty box, size a number or three, its centre at a place on the diagonal"""
+        centre=0.0, room=0):
+    """an empty box, size a number or three, its centre at a place on the diagonal; room: for bonds that do not come from
+    potdem_bonds, per atom"""
     half = 0.5 * np.broadcast_to(np.asarray(size, dtype=float), 3)
     sides = " ".join(f"{centre - h:.17g} {centre + h:.17g}" for h in half)
     return "\n".join([
@@ -19,7 +20,8 @@ def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", 
         f"atom_style {atom_style}",
         f"boundary {boundary}",
         f"region box block {sides} units box",
-        f"create_box {types} box bond/types {bond_types} extra/bond/per/atom 1 extra/special/per/atom 100",
+        f"create_box {types} box" + (f" bond/types {bond_types}" if bond_types else "") +
+        (f" extra/bond/per/atom {room} extra/special/per/atom 100" if room else ""),
         f"neighbor {skin} bin",
         "neigh_modify delay 0 every 1 check yes",
         "thermo_modify format float %.17g lost error flush yes",

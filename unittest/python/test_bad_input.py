@@ -73,7 +73,7 @@ CASES = {
     "bond area lattice without a lattice": (bond("* 5 area lattice\npotdem_bonds all 1 1.2\nrun 0"),
                                             ["area lattice for bond type 1", "cubic", "use area body or area factor"]),
     "bonds made with newton on": (
-        BOND + "bond_coeff * 5 area factor 0.5\n"
+        BOND.replace("bond/types 2", "bond/types 2 extra/bond/per/atom 1 extra/special/per/atom 9") + "bond_coeff * 5 area factor 0.5\n"
         "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\nrun 0",
         ["newton off for bonds", "potdem_bonds", "newton on off"]),
     # potdem_bonds
@@ -86,7 +86,20 @@ CASES = {
                        ["no bond types", "bond/types"]),
     "bonds reach": (BOX + ATOMS + "potdem_bonds all 1 -1.2", ["r_infl = -1.2", "> 0"]),
     "bonds reach missing": (BOX + ATOMS + "potdem_bonds all 1", ["potdem_bonds", "missing"]),
-    "bonds reach too short": (BOX + ATOMS + "potdem_bonds all 1 0.9", ["group 'all'", "r_infl = 0.9"]),
+    "bonds reach too short": (BOX + ATOMS + "potdem_bonds all 1 0.9",
+                              ["group 'all'", "r_infl = 0.9", "the shortest distance between two of them is 1"]),
+    "bonds reach much too short": (BOX + ATOMS + "potdem_bonds all 1 0.01 diameters",
+                                   ["r_infl = 0.01 diameters", "no two of them near each other"]),
+    "bonds reach too short in a group": (
+        BOX + ATOMS + "create_atoms 1 single 1.5 0 0 units box\nset atom 3 diameter 1\ngroup ends id 1 3\n"
+        "potdem_bonds ends 1 1.2", ["group 'ends'", "is 1.5"]),
+    "bonds all made already": (BODY + "potdem_bonds all 1 1.2", ["that are not bonded already", "near each other"]),
+    "bonds all cut by a crack": (
+        BOX + ATOMS + "region slit block 0.4 0.6 INF INF INF INF units box\npotdem_bonds all 1 1.2 crack slit",
+        ["the crack, region slit", "cuts every pair of group 'all'", "thinner"]),
+    "bonds reach too short for a crack": (
+        BOX + ATOMS + "region slit block 0.4 0.6 INF INF INF INF units box\npotdem_bonds all 1 0.9 crack slit",
+        ["the shortest distance between two of them is 1"]),
     "bonds keyword": (BOX + ATOMS + "potdem_bonds all 1 1.2 diameter", ["'diameter'", "diameters or crack"]),
     "bonds crack region": (BOX + ATOMS + "potdem_bonds all 1 1.2 crack slit", ["no region 'slit'"]),
     "bonds in a small periodic box": (

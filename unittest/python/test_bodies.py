@@ -274,7 +274,7 @@ def test_a_second_network_leaves_bonded_pairs_alone(run_lammps, tmp_path):
 
 def test_bonds_made_by_lammps_start_from_where_they_are(run_lammps):
     """create_bonds instead of potdem_bonds: the distance at the first run is the reference length"""
-    script = scripts.box(20, newton="on off") + scripts.particles([(0, 0, 0, 1.0), (1.1, 0, 0, 1.4)])
+    script = scripts.box(20, newton="on off", room=1) + scripts.particles([(0, 0, 0, 1.0), (1.1, 0, 0, 1.4)])
     script += scripts.elastic(1000.0, "factor 0.5")
     script += "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\n"
     script += "thermo_style custom step ebond\nrun 0\n" + scripts.result("ebond") + "set atom 2 x 1.21\nrun 0\n"
@@ -282,3 +282,17 @@ def test_bonds_made_by_lammps_start_from_where_they_are(run_lammps):
     rest, stretched = scripts.results(run_lammps(script).stdout)[:, 0]
     assert rest == 0.0
     assert stretched == pytest.approx(scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.2, 0.5)), rel=1e-12)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_styles_run_before_there_are_bonds(run_lammps, nprocs):
+    """a box without room for bonds: the particles are run as grains first, then bonded where they are"""
+    script = scripts.box(20, newton="on off") + scripts.particles([(-0.5, 0, 0, 1.0), (0.6, 0, 0, 1.0)])
+    script += scripts.elastic(1000.0, "factor 0.5") + "special_bonds lj 0 1 1 coul 0 1 1\nfix move all nve\n"
+    script += "timestep 1e-6\nthermo_style custom step ebond bonds\nrun 2\n" + scripts.result("ebond", "bonds")
+    script += "potdem_bonds all 1 1.2\nrun 0\n" + scripts.result("ebond", "bonds") + "set atom 2 x 0.71\nrun 0\n"
+    script += scripts.result("ebond", "bonds")
+    before, rest, stretched = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    assert before.tolist() == [0, 0] and rest.tolist() == [0, 1]
+    expected = scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.0, 0.5))
+    assert stretched == pytest.approx([expected, 1], rel=1e-12)

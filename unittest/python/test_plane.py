@@ -17,7 +17,7 @@ newton on off
 atom_style bpm/sphere
 boundary {boundary}
 region box block {-0.5 * size:.17g} {0.5 * size:.17g} {-0.5 * size:.17g} {0.5 * size:.17g} -0.5 0.5 units box
-create_box 1 box bond/types 1 extra/bond/per/atom 1 extra/special/per/atom 100
+create_box 1 box bond/types 1
 thermo_modify format float {scripts.ALL_DIGITS} lost error
 """
 

@@ -16,7 +16,7 @@ dimension 2
 atom_style bpm/sphere
 boundary f f p
 region box block -10 10 -10 10 -0.5 0.5 units box
-create_box 1 box bond/types 1 extra/bond/per/atom 1 extra/special/per/atom 100
+create_box 1 box bond/types 1
 neighbor 0.3 bin
 {lattice}
 """ + particles

@@ -13,6 +13,8 @@ NAMES = {
     "deep": "too deep",
     "crushed": "is crushed to",
     "fast": "contacts may be missed",
+    "skin": "The neighbour skin",
+    "minimiser": "in one step of this minimisation",
 }
 
 
@@ -224,3 +226,83 @@ run 0
 def test_mixed_ends(run_lammps, law, one, other, mixed):
     """s = 0.02: far in the straight part, if there is one"""
     assert force_of(run_lammps, law, one, other) == pytest.approx(force_of(run_lammps, law, one, other, mixed), rel=1e-12)
+
+
+# --- settings that do not fit the particles -------------------------------------------------------------------------
+
+SPECIAL = "special_bonds lj 0 1 1 coul 0 1 1\n"
+
+
+@pytest.mark.parametrize("skin, expected", [(0.5, []), (0.51, ["skin"])])
+def test_a_skin_larger_than_half_the_smallest_diameter(run_lammps, skin, expected):
+    """with the line that helps; the smallest of two diameters, 1 and 3, counts"""
+    script = scripts.box(40, newton="on off") + SPECIAL + scripts.particles([(0, 0, 0, 1.0), (9, 0, 0, 3.0)]) + scripts.elastic()
+    script = script.replace("neighbor 0.3 bin", f"neighbor {skin} bin") + "fix move all nve\ntimestep 1e-6\nrun 1\n"
+    run = run_lammps(script)
+    assert kinds(run) == expected
+    if expected:
+        helps = re.search(r"'(neighbor .*)'", warnings(run)[0]).group(1)
+        assert kinds(run_lammps(script.replace(f"neighbor {skin} bin", helps))) == []
+    assert kinds(run_lammps(script.replace("run 1", "run 0"))) == []
+
+
+@pytest.mark.parametrize("least, expected", [(0.2, []), (0.19, ["minimiser"])])
+def test_a_step_of_a_minimiser_longer_than_a_radius(run_lammps, least, expected):
+    """dmax is 0.1, whatever the units, unless min_modify comes after min_style"""
+    script = scripts.box(40, newton="on off") + SPECIAL + scripts.particles([(0, 0, 0, least), (9, 0, 0, 3.0)]) + scripts.elastic()
+    script += "min_modify dmax 0.001\nmin_style cg\nminimize 0 1e-6 5 5\n"
+    run = run_lammps(script)
+    assert kinds(run) == expected
+    if expected:
+        helps = re.search(r"'(min_modify .*)'", warnings(run)[0]).group(1)
+        assert kinds(run_lammps(script.replace("minimize", f"{helps}\nminimize"))) == []
+
+
+BLOCK = scripts.box(12, newton="on off") + SPECIAL + scripts.particles([(k, 0, 0, 1.0) for k in range(3)] + [(4, 0, 0, 1.0)])
+
+
+@pytest.mark.parametrize("bonded", [False, True])
+@pytest.mark.parametrize("rotation", ["no", "yes"])
+@pytest.mark.parametrize("friction", ["", "friction 0.5 auto"])
+def test_bonded_particles_that_spin(run_lammps, bonded, rotation, friction):
+    """a body rolls away on particles that spin: by pairs and by walls, with friction, and only where there is a body"""
+    script = BLOCK + scripts.elastic(pair_options=friction).replace("potdem/truss\npair", f"potdem/truss rotation {rotation}\npair")
+    script += "potdem_bonds all 1 1.1\n" if bonded else ""
+    script += f"region floor plane 0 0 -1 0 0 1\nfix move all nve\nfix wall all potdem/wall/region floor 5 0.3 particle 5 0.3 "
+    script += f"{friction} rotation {rotation}\ntimestep 1e-6\nrun 1\n"
+    said = re.findall(r"WARNING: (.*?): rotation lets bonded particles spin freely", run_lammps(script).log)
+    expected = bonded and rotation == "yes" and friction
+    assert said == (["pair_style potdem/truss", "Fix potdem/wall/region wall"] if expected else [])
+
+
+def test_bonded_particles_that_a_wall_does_not_touch(run_lammps):
+    """the wall's own group counts"""
+    script = BLOCK + scripts.elastic() + "potdem_bonds all 1 1.1\ngroup grain id 4\nregion floor plane 0 0 -1 0 0 1\n"
+    script += "fix move all nve\nfix wall grain potdem/wall/region floor 5 0.3 particle 5 0.3 friction 0.5 auto rotation yes\n"
+    assert "spin freely" not in run_lammps(script + "timestep 1e-6\nrun 1\n").log
+
+
+def growing(jump, skin=0.3):
+    """two particles 1.05 apart, their diameters 1, then 1 + jump from the third step on"""
+    text = scripts.box(12, atom_style="sphere 1", skin=skin, bond_types=0)
+    text += scripts.particles([(0, 0, 0, 1.0), (1.05, 0, 0, 1.0)]) + f"""
+pair_style potdem/truss
+pair_coeff * * 1000 0.5
+variable d equal 1+{jump}*(step>2)
+fix grow all adapt 1 atom diameter v_d
+fix hold all nve/noforce
+timestep 1e-6
+thermo 1
+thermo_style custom step pe
+thermo_modify format float %.17g
+run 4
+"""
+    return text
+
+
+@pytest.mark.parametrize("jump, warned", [(0.25, False), (0.35, True)])
+def test_diameters_that_grow_by_more_than_the_skin_in_one_step(run_lammps, jump, warned):
+    """both are in the list already, so the contact is seen; another one might not be"""
+    run = run_lammps(growing(jump))
+    assert ("contacts may have been missed on step 3" in run.log) == warned
+    assert (run.thermo["PotEng"] > 0).tolist() == [False, False, False, True, True]
