@@ -25,6 +25,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "pair.h"
 #include "update.h"
 
 #include <algorithm>
@@ -219,8 +220,10 @@ void BondPotdemTruss::set_communication()
         "bond_style potdem/truss: the longest bond ({}) and the neighbour skin ({}) are beyond the "
         "communication cutoff {}; increase it with comm_modify cutoff, or leave it out",
         longest, neighbor->skin, comm->cutghostuser);
-  if (!users)
-    comm->cutghostuser = bond_store->ghost_cutoff = STRETCH_ALLOWANCE * longest + neighbor->skin;
+  if (users) return;
+  const double contacts = force->pair ? force->pair->cutforce : 0.0;
+  comm->cutghostuser = bond_store->ghost_cutoff =
+      MAX(STRETCH_ALLOWANCE * longest, contacts) + neighbor->skin;
 }
 
 bool BondPotdemTruss::has_new_bonds() const

@@ -29,7 +29,7 @@ static constexpr int AHEAD = 10;    // longest steps for which collisions are fo
 /* ---------------------------------------------------------------------- */
 
 FixPotdemTimestep::FixPotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), critical(nullptr), started(false)
+    Fix(lmp, narg, arg), started(false)
 {
   PotdemInput input(lmp, "fix potdem/timestep", narg - 3, arg + 3);
   nevery = input.whole("N", MAXSMALLINT);
@@ -49,8 +49,8 @@ FixPotdemTimestep::FixPotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   restart_global = 1;
   critical_id = std::string(id) + "_CRITICAL";
-  critical = modify->add_compute(fmt::format("{} {} potdem/timestep ahead {:.17g}", critical_id,
-                                             group->names[igroup], MAX(nevery, AHEAD) * longest));
+  modify->add_compute(fmt::format("{} {} potdem/timestep ahead {:.17g}", critical_id,
+                                  group->names[igroup], MAX(nevery, AHEAD) * longest));
 }
 
 FixPotdemTimestep::~FixPotdemTimestep()
@@ -70,9 +70,18 @@ void FixPotdemTimestep::init()
     for (const auto &other : modify->get_fix_by_style(style))
       if (other != this)
         error->all(FLERR, "Fixes {} and {} both set the timestep: keep one of them", id, other->id);
-  critical = modify->get_compute_by_id(critical_id);
-  if (!critical)
-    error->all(FLERR, "Fix potdem/timestep {}: its compute {} is gone", id, critical_id);
+  critical();
+}
+
+Compute *FixPotdemTimestep::critical() const
+{
+  auto *const found = modify->get_compute_by_id(critical_id);
+  if (!found)
+    error->all(
+        FLERR,
+        "Fix potdem/timestep {}: its compute {} was removed with uncompute; define the fix again",
+        id, critical_id);
+  return found;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -92,7 +101,7 @@ void FixPotdemTimestep::end_of_step()
 
 double FixPotdemTimestep::target()
 {
-  return MIN(longest, fraction * critical->compute_scalar());
+  return MIN(longest, fraction * critical()->compute_scalar());
 }
 
 // all that LAMMPS has to be told
@@ -109,7 +118,7 @@ void FixPotdemTimestep::change_to(double step)
 
 double FixPotdemTimestep::compute_scalar()
 {
-  return critical->scalar;
+  return critical()->scalar;
 }
 
 /* ---------------------------------------------------------------------- */

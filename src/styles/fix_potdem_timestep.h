@@ -26,10 +26,10 @@ class FixPotdemTimestep : public Fix {
 
  private:
   double fraction, longest;
-  std::string critical_id;    // of the compute
-  class Compute *critical;
+  std::string critical_id;
   bool started;    // the step has been this fix's before
 
+  class Compute *critical() const;
   double target();
   void change_to(double step);
 };

@@ -49,21 +49,28 @@ PotdemBondStore *PotdemBondStore::create(LAMMPS *lmp)
 
 PotdemBondStore *PotdemBondStore::ensure(LAMMPS *lmp)
 {
-  if (auto *const store = find(lmp)) return store;
   const auto *const bond = BondPotdemTruss::find(lmp);
-  return bond && bond->lost_memory() ? get(lmp, "bond_style potdem/truss") : create(lmp);
+  if (find(lmp) || (bond && bond->lost_memory())) return get(lmp, "bond_style potdem/truss");
+  return create(lmp);
 }
 
 PotdemBondStore *PotdemBondStore::get(LAMMPS *lmp, const std::string &who)
 {
   auto *const store = find(lmp);
-  if (!store)
+  if (!store || !store->intact())
     lmp->error->all(
         FLERR,
         "{}: fix {}, in which the bonds remember their reference lengths, was removed with "
         "unfix: leave it, or begin anew with the undeformed body",
-        who, STORE_ID);
+        who, store ? store->id_fix : STORE_ID);
   return store;
+}
+
+// the values themselves are kept by a fix property/atom
+bool PotdemBondStore::intact() const
+{
+  int is_double, columns;
+  return atom->find_custom(&id_array[3], is_double, columns) == index;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -80,6 +80,7 @@ class PotdemBondStore : public FixBondHistory {
   int exchanged_width;
 
   double **values() const;
+  bool intact() const;
   double longest_new_bond() const;
   void forget_special(int i, tagint partner);
 };
