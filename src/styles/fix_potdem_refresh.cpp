@@ -43,24 +43,24 @@ void FixPotdemRefresh::ensure(LAMMPS *lmp)
 }
 
 FixPotdemRefresh::FixPotdemRefresh(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), bond(nullptr), radii_vary(false), box_then(), growth(0.0),
-    largest_jump(0.0), moved(0.0), warned(false)
+    Fix(lmp, narg, arg), bond(nullptr), box_then(), growth(0.0), largest_jump(0.0), moved(0.0),
+    warned(false)
 {
   force_reneighbor = 1;
   next_reneighbor = -1;
 }
 
+// LAMMPS sends the diameters of ghosts at each step if, and only if, the atom style lets them vary
 int FixPotdemRefresh::setmask()
 {
-  return POST_INTEGRATE | PRE_EXCHANGE | POST_NEIGHBOR | PRE_FORCE;
+  const bool radii_vary = atom->radius_flag && !atom->avec->comm_x_only;
+  return radii_vary ? POST_INTEGRATE | PRE_EXCHANGE | POST_NEIGHBOR | PRE_FORCE : PRE_EXCHANGE;
 }
 
-// LAMMPS sends the diameters of ghosts at each step if, and only if, the atom style lets them vary
 void FixPotdemRefresh::init()
 {
   pairs = PairPotdemBase::all(lmp);
   bond = BondPotdemTruss::find(lmp);
-  radii_vary = atom->radius_flag && !atom->avec->comm_x_only;
   largest_jump = 0.0;
   warned = false;
 }
@@ -118,7 +118,6 @@ void FixPotdemRefresh::setup_post_neighbor()
 
 void FixPotdemRefresh::post_neighbor()
 {
-  if (!radii_vary) return;
   radius_then.assign(atom->radius, atom->radius + atom->nlocal);
   mass_then.assign(atom->rmass, atom->rmass + atom->nlocal);
   std::copy_n(neighbor->bboxlo, 3, box_then);
@@ -148,7 +147,7 @@ double FixPotdemRefresh::of_skin(double how_much) const
 // diameters change after it is settled whether a step has new lists: room for one more change like those seen
 void FixPotdemRefresh::post_integrate()
 {
-  if (!radii_vary || pairs.empty() || !neighbor->dist_check) return;
+  if (pairs.empty() || !neighbor->dist_check) return;
   const auto *const x = (const double(*)[3]) atom->x[0];
   double **const held = neighbor->get_xhold();
   const int n = neighbor->includegroup ? atom->nfirst : atom->nlocal;
@@ -185,7 +184,7 @@ void FixPotdemRefresh::warn_of_jump()
 // the dashpots of bonds depend on the masses, which change with the diameters
 void FixPotdemRefresh::pre_force(int /*vflag*/)
 {
-  if (!radii_vary || !bond) return;
+  if (!bond) return;
   if (std::equal(mass_then.begin(), mass_then.end(), atom->rmass)) return;
   mass_then.assign(atom->rmass, atom->rmass + atom->nlocal);
   bond->repack();

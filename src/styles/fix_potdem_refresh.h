@@ -37,7 +37,6 @@ class FixPotdemRefresh : public Fix {
   class BondPotdemTruss *bond;
 
   // where diameters may change within a run: the state for which the lists were built
-  bool radii_vary;
   std::vector<double> radius_then, mass_then;
   double box_then[6];
   double growth,
