@@ -14,13 +14,14 @@ def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", 
     potdem_bonds, per atom"""
     half = 0.5 * np.broadcast_to(np.asarray(size, dtype=float), 3)
     sides = " ".join(f"{centre - h:.17g} {centre + h:.17g}" for h in half)
+    bonded = atom_style.startswith("bpm")
     return "\n".join([
         f"units {units}",
         f"newton {newton}" if newton else "",
         f"atom_style {atom_style}",
         f"boundary {boundary}",
         f"region box block {sides} units box",
-        f"create_box {types} box" + (f" bond/types {bond_types}" if bond_types else "") +
+        f"create_box {types} box" + (f" bond/types {bond_types}" if bond_types and bonded else "") +
         (f" extra/bond/per/atom {room} extra/special/per/atom 100" if room else ""),
         f"neighbor {skin} bin",
         "neigh_modify delay 0 every 1 check yes",
