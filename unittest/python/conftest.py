@@ -1,4 +1,5 @@
-"""Fixtures for tests that drive build/lmp."""
+"""Fixtures for tests that drive build/lmp, or with POTDEM_STYLES=plugin a LAMMPS without our styles that loads the
+plugin."""
 
 import os
 import subprocess
@@ -15,6 +16,30 @@ import logfile  # noqa: E402
 import runner  # noqa: E402
 
 BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build"))
+PLAIN = BUILD / "unittest" / "plain" / "lmp"
+THROUGH_PLUGIN = os.environ.get("POTDEM_STYLES") == "plugin"
+
+MARKERS = {
+    "every_style": "one of a selection that together uses every style; unittest/run runs it through the plugin too",
+    "built_in": "about the build itself; not repeated through the plugin",
+}
+
+
+def pytest_configure(config):
+    for name, text in MARKERS.items():
+        config.addinivalue_line("markers", f"{name}: {text}")
+    config.named_by_every_style = []    # scripts and what LAMMPS said to them
+    if THROUGH_PLUGIN:
+        os.environ["LAMMPS_PLUGIN_PATH"] = str(BUILD)
+
+
+def pytest_collection_modifyitems(config, items):
+    """through the plugin only what drives LAMMPS; the test of the selection after the selection"""
+    repeated = [item for item in items if "lmp" in item.fixturenames and not item.get_closest_marker("built_in")]
+    if THROUGH_PLUGIN:
+        config.hook.pytest_deselected(items=[item for item in items if item not in repeated])
+        items[:] = repeated
+    items.sort(key=lambda item: "every_style_is_named" in item.name)
 
 
 @dataclass
@@ -49,14 +74,14 @@ def build():
 
 @pytest.fixture(scope="session")
 def lmp(build):
-    path = build / "lmp"
+    path = PLAIN if THROUGH_PLUGIN else build / "lmp"
     if not path.exists():
         pytest.fail(f"{path} has not been built (unittest/run builds it)")
     return path
 
 
 @pytest.fixture
-def run_lammps(lmp, tmp_path):
+def run_lammps(lmp, tmp_path, request):
     """runs a script given as text; without expect_error the run must end well, with it the ERROR message
     must contain that text"""
 
@@ -68,6 +93,8 @@ def run_lammps(lmp, tmp_path):
                               stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=timeout, check=False)
         log = folder / "log.test"
         result = Run(done.returncode, done.stdout, log.read_text() if log.exists() else "")
+        if request.node.get_closest_marker("every_style"):
+            request.config.named_by_every_style.append(script_text + done.stdout)
         if expect_error is None:
             assert result.status == 0, result.stdout[-3000:]
         else:

@@ -38,6 +38,7 @@ def hertz_collision(fraction, every=1, longest=0.6):
                                                                       "f_pace v_r v_u v_f c_books")
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("every", [1, 4])
 def test_the_step_that_is_set(run_lammps, every):
     fraction, longest = 0.1, 2.0

@@ -4,7 +4,11 @@ import re
 import subprocess
 import tarfile
 
+import conftest
 import pytest
+import scripts
+
+pytestmark = pytest.mark.built_in
 
 PACKAGES = ("MOLECULE", "BPM", "PLUGIN", "OPENMP")
 NOWHERE = "file:///no/such/place"
@@ -72,6 +76,37 @@ def test_plugin_and_built_in_styles_give_the_same_numbers(root, build, run_lammp
     assert built_in.thermo["v_broken"][-1] > 0
     for column, values in built_in.thermo.items():
         assert (plugin.thermo[column] == values).all(), column
+
+
+def plain_lammps(plain, script, folder, **environment):
+    """what a LAMMPS that has none of our styles says to a script"""
+    (folder / "in.plain").write_text(script)
+    return subprocess.run([plain, "-in", "in.plain", "-log", "none"], cwd=folder, text=True, check=False,
+                          env={**conftest.runner.environment(), **environment}, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
+
+
+def test_the_plain_lammps_has_no_style_of_ours(root, tmp_path):
+    """or the tests through the plugin would not be about the plugin"""
+    text = plain_lammps(conftest.PLAIN, "info styles all\n", tmp_path).stdout
+    assert "bpm/spring" in text
+    assert [name for _, name in styles(root) if name in text] == []
+
+
+def test_plugin_in_a_lammps_without_the_styles(root, build, tmp_path):
+    """the ledger is a fix that a compute makes, and takes away again when LAMMPS ends, after its plugins have gone"""
+    script = f"plugin load {build}/potdemplugin.so\nplugin list\n" + scripts.box(8) + \
+        "region body block 0 3 0 3 0 3 units box\n" + scripts.crystal(region="body") + scripts.elastic() + """
+potdem_bonds all 1 1.42
+fix move all nve
+compute books all potdem/energy
+thermo_style custom step c_books
+timestep 1e-4
+run 10
+"""
+    done = plain_lammps(conftest.PLAIN, script, tmp_path)
+    assert plugin_list(done) == set(styles(root))
+    assert "ERROR" not in done.stdout and done.returncode == 0, done.stdout[-2000:]
 
 
 def test_plugin_for_another_version_is_refused(build, run_lammps):

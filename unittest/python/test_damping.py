@@ -25,6 +25,7 @@ def forces(run_lammps, tmp_path, options, group="all"):
 EXACT = dict(rel=1e-15, abs=0)
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("options", ["0.3", "0.3 form vector"])
 def test_vector_form(run_lammps, tmp_path, options):
     """-lambda F sgn(F.v), and nothing where F.v = 0"""

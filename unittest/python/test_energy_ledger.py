@@ -104,6 +104,7 @@ def test_viscous_bonds(run_lammps):
     assert np.abs(total - total[0]).max() < 1e-3 * terms["viscous"][-1]
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("friction", ["", "friction 0.3 auto", "friction 0.3 0.02 viscous 0.01"])
 def test_work_of_a_moving_wall(run_lammps, friction):
     """a plate comes from below, sideways too, and throws a grain up: its work is in the ledger"""

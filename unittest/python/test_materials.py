@@ -219,6 +219,7 @@ def test_data_and_restart_files_need_no_material_file(run_lammps, tmp_path):
         assert np.abs(forces(run_lammps, tmp_path, again) - whole).max() < 1e-12 * np.abs(whole).max()
 
 
+@pytest.mark.every_style
 @pytest.mark.usefixtures("own")
 def test_potdem_material_sets_variables(run_lammps):
     run = run_lammps("units si\npotdem_material own.potdem soft E modulus density rho tension ft compression fc nu nu friction mu\n" +

@@ -229,6 +229,7 @@ def test_same_trajectory_on_threads(run_lammps, tmp_path, options, nprocs):
         assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale
 
 
+@pytest.mark.every_style
 def test_same_bonds_break_on_threads(run_lammps, tmp_path):
     script = pulled_bar() + "run 60\n"
     run_lammps(script)
@@ -247,6 +248,7 @@ GRAINS = {
 }
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("nprocs, newton", [(1, None), (2, "off off")])
 @pytest.mark.parametrize("style", GRAINS)
 def test_same_grains_on_threads(run_lammps, tmp_path, style, nprocs, newton):

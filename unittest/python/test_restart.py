@@ -62,6 +62,7 @@ def test_elastic_body_periodic_and_parallel(run_lammps, tmp_path):
     compare(run_lammps, tmp_path, setup, commands(), 100, 100, again_on=(2,), nprocs=4)
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_in_the_middle_of_breaking(run_lammps, tmp_path, nprocs):
     """some bonds are gone, some will go: counts, energy and the special lists continue"""

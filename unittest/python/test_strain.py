@@ -171,6 +171,7 @@ def test_outside_the_group_zero(run_lammps, tmp_path):
     assert measured.sum() == 32 and np.all(table[~measured] == 0)
 
 
+@pytest.mark.every_style
 def test_restart_keeps_the_reference(run_lammps, tmp_path):
     """the reference directions survive a restart of the deformed body"""
     F = GRADIENTS["all"]

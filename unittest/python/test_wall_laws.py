@@ -49,6 +49,7 @@ LAWS = [("lj 50 0.1 2 0.2", lj, (0.82, 0.95, 1.0, 1.04)), ("granular 50 4 0.3", 
         ("truss 100 0.8", truss, (0.3, 0.8, 0.999))]
 
 
+@pytest.mark.every_style
 @pytest.mark.parametrize("words, law, heights", LAWS)
 def test_energy_and_force(run_lammps, words, law, heights):
     for height in heights:

@@ -1,0 +1,48 @@
+"""The selection that unittest/run runs through the plugin as well: tests marked every_style."""
+
+import re
+
+import pytest
+import scripts
+from test_build import styles
+
+pytestmark = pytest.mark.every_style
+
+
+@pytest.mark.parametrize("suffix", ["", "package omp 2\nsuffix omp\n"])
+def test_styles_that_no_script_names(run_lammps, suffix):
+    """the bonds' memory, the ledger and the warnings, and bonds on threads"""
+    script = suffix + scripts.box(20) + "region body block 0 3 0 3 0 3 units box\n" + \
+        scripts.crystal(region="body") + scripts.elastic() + """
+potdem_bonds all 1 1.42
+fix move all nve
+compute books all potdem/energy
+compute step all potdem/timestep
+timestep 1e-3
+thermo_style custom step pe c_books c_step
+run 2
+info fixes system
+"""
+    text = run_lammps(script).stdout
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_LEDGER", "POTDEM_WATCH"):
+        assert name in text
+
+
+# where a script, or LAMMPS in answer to it, names a style of a kind
+NAMED = {
+    "pair": r"(pair_style|pair|Atoms .*style =) {}[\s,]",
+    "bond": r"(bond_style|Bonds .*style =) {}\s",
+    "fix": r"(fix \S+ \S+|style =) {}[\s,]",
+    "compute": r"compute \S+ \S+ {}\s",
+    "command": r"(^|\n){}\s",
+}
+
+
+@pytest.mark.usefixtures("lmp")    # so that it is part of the pass through the plugin
+def test_every_style_is_named(root, request):
+    """by the selection; runs last"""
+    texts = request.config.named_by_every_style
+    if request.config.option.keyword or not texts:
+        pytest.skip("the whole selection is needed (no -k)")
+    text = "\n".join(texts)
+    assert [f"{kind} {name}" for kind, name in styles(root) if not re.search(NAMED[kind].format(name), text)] == []
