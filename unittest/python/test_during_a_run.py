@@ -243,12 +243,11 @@ compute smin all reduce min c_s[1]
 compute rank all reduce min c_s[8]
 thermo_style custom step atoms c_smax c_smin c_rank
 run 2000
-"""
-    thermo = run_lammps(script).thermo
-    assert thermo["Atoms"][-1] == 54
-    # the second has moved by 1 cm: 1e-16 of 0.2 m in lengths of 1e-2 m at every one of 2000 steps, at worst
-    assert abs(thermo["c_smax"][-1]) < 1e-11 and abs(thermo["c_smin"][-1]) < 1e-11
-    assert thermo["c_rank"][-1] == 6
+""" + scripts.result("atoms", "c_smax", "c_smin", "c_rank")
+    atoms, largest, least, rank = scripts.results(run_lammps(script).stdout)[0]
+    assert atoms == 54 and rank == 6
+    # it has moved by 1 cm: at worst 1e-16 of 0.2 m, in lengths of 1e-2 m, at every one of 2000 steps
+    assert abs(largest) < 1e-11 and abs(least) < 1e-11
 
 
 # --- growth ------------------------------------------------------------------------------------------------
@@ -347,7 +346,7 @@ run {{}}
     factor = whole["c_section"] / scripts.section(1.0)
     plain = last_row(run_lammps(torn_block(f"factor {factor:.17g}") + change.format(300)))
     found = last_row(run_lammps(torn_block() + change.format(300)))
-    assert plain["f_cracks"] > 300
+    assert plain["f_cracks"] > 100
     for name, value in plain.items():
         assert found[name] == pytest.approx(value, rel=SAME_PATH), name
 

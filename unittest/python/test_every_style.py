@@ -11,20 +11,22 @@ pytestmark = pytest.mark.every_style
 
 @pytest.mark.parametrize("suffix", ["", "package omp 2\nsuffix omp\n"])
 def test_styles_that_no_script_names(run_lammps, suffix):
-    """the bonds' memory, the ledger and the warnings, and bonds on threads"""
+    """the memory of bonds and of the strain, the ledger and the warnings, and bonds on threads"""
     script = suffix + scripts.box(20) + "region body block 0 3 0 3 0 3 units box\n" + \
         scripts.crystal(region="body") + scripts.elastic() + """
 potdem_bonds all 1 1.42
 fix move all nve
 compute books all potdem/energy
 compute step all potdem/timestep
+compute strain all potdem/strain/atom
+compute largest all reduce max c_strain[1]
 timestep 1e-3
-thermo_style custom step pe c_books c_step
+thermo_style custom step pe c_books c_step c_largest
 run 2
 info fixes system
 """
     text = run_lammps(script).stdout
-    for name in ("POTDEM_BOND_HISTORY", "POTDEM_LEDGER", "POTDEM_WATCH"):
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_WATCH"):
         assert name in text
 
 
