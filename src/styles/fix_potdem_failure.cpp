@@ -19,16 +19,21 @@
 #include "lammps_compat.h"
 #include "laws/truss.h"
 #include "potdem_bond_store.h"
+#include "potdem_gather.h"
 #include "potdem_input.h"
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
+#include "error.h"
 #include "force.h"
+#include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -41,7 +46,7 @@ static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
 
 FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
-    ntension(0.0), ncompression(0.0), energy(0.0), bond(nullptr), bond_store(nullptr)
+    ntension(0.0), ncompression(0.0), energy(0.0), bond(nullptr), bond_store(nullptr), maxrows(0)
 {
   PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
@@ -73,6 +78,11 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
   restart_global = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
+}
+
+FixPotdemFailure::~FixPotdemFailure()
+{
+  memory->destroy(array_local);
 }
 
 // weibull k SEED | normal cov SEED
@@ -134,23 +144,6 @@ void FixPotdemFailure::end_of_step()
   agree();
 }
 
-// every rank gets what the others have, in the order of the ranks
-template <class Item>
-static std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world, int nprocs)
-{
-  if (nprocs == 1) return mine;
-  int count = mine.size() * sizeof(Item), total;
-  MPI_Allreduce(&count, &total, 1, MPI_INT, MPI_SUM, world);
-  std::vector<Item> all(total / sizeof(Item));
-  if (total == 0) return all;
-  std::vector<int> counts(nprocs), starts(nprocs, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int rank = 1; rank < nprocs; rank++) starts[rank] = starts[rank - 1] + counts[rank - 1];
-  MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
-                 world);
-  return all;
-}
-
 void FixPotdemFailure::agree()
 {
   std::vector<Pending> mine;
@@ -161,7 +154,7 @@ void FixPotdemFailure::agree()
     if (j >= atom->nlocal && tag[j] < tag[i]) continue;
     mine.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]), bond_energy(i, j)});
   }
-  pending = gather(mine, world, comm->nprocs);
+  pending = potdem_gather(lmp, mine, "failing bonds");
 }
 
 /* ----------------------------------------------------------------------
@@ -197,17 +190,24 @@ std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
       mine.push_back(describe(i, doomed));
   }
   record(mine);
-  return gather(mine, world, comm->nprocs);
+  return potdem_gather(lmp, mine, "failing bonds");
 }
 
 void FixPotdemFailure::record(const std::vector<Failure> &failed)
 {
-  if (failed.empty()) return;
-  events.insert(events.end(), failed.begin(), failed.end());
-  rows.resize(events.size());
-  for (std::size_t k = 0; k < events.size(); k++) rows[k] = &events[k].step;
-  array_local = rows.data();
-  size_local_rows = static_cast<int>(rows.size());
+  const bigint wanted = size_local_rows + static_cast<bigint>(failed.size());
+  if (wanted > MAXSMALLINT)
+    error->one(
+        FLERR,
+        "Fix potdem/failure {}: {} failed bonds on one rank are too many for its local output", id,
+        wanted);
+  if (wanted > maxrows) {
+    maxrows =
+        static_cast<int>(MIN(2 * wanted, MAXSMALLINT));    // growth costs a constant time a row
+    memory->grow(array_local, maxrows, FAILURE_WIDTH, "potdem/failure:array_local");
+  }
+  for (const auto &failure : failed)
+    std::copy_n(&failure.step, FAILURE_WIDTH, array_local[size_local_rows++]);
 }
 
 FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doomed) const
@@ -281,8 +281,7 @@ double FixPotdemFailure::compute_vector(int n)
 
 double FixPotdemFailure::memory_usage()
 {
-  return static_cast<double>(events.capacity() * sizeof(Failure) +
-                             rows.capacity() * sizeof(double *));
+  return static_cast<double>(maxrows) * (FAILURE_WIDTH * sizeof(double) + sizeof(double *));
 }
 
 /* ---------------------------------------------------------------------- */

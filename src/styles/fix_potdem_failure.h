@@ -17,6 +17,7 @@ namespace LAMMPS_NS {
 class FixPotdemFailure : public FixUpdateSpecialBonds {
  public:
   FixPotdemFailure(class LAMMPS *, int, char **);
+  ~FixPotdemFailure() override;
   int setmask() override;
   void init() override;
   void strengthen(class BondPotdemTruss &) const;    // by the strengths given
@@ -42,8 +43,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   double ntension, ncompression, energy;    // since the first run, over all ranks
   class BondPotdemTruss *bond;
   class PotdemBondStore *bond_store;
-  std::vector<Failure> events;    // decided by this rank, and its rows for the local output
-  std::vector<double *> rows;
+  int maxrows;    // of array_local: what this rank decided, in one block, as LAMMPS's Python module reads it
 
   // a bond that is to fail, by the IDs of its ends (low < high), and its energy when that was found
   struct Pending {

