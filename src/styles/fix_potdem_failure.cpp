@@ -27,6 +27,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -134,7 +135,33 @@ void FixPotdemFailure::strengthen(BondPotdemTruss &truss) const
 // style checks the weights), and a bond that set-up finds overstretched fails before the first step
 void FixPotdemFailure::setup(int /*vflag*/)
 {
+  warn_if_idle();
   agree();
+}
+
+// most likely a wrong bond type or group; but bonds may still come, or all have failed
+void FixPotdemFailure::warn_if_idle() const
+{
+  if (update->nsteps == 0 || ntension + ncompression > 0.0) return;
+  // per bond type whether there is a bond, and first whether there is one for this fix
+  std::vector<int> mine(atom->nbondtypes + 1, 0), there(atom->nbondtypes + 1);
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    const int *const listed = neighbor->bondlist[n];
+    mine[listed[2]] = 1;
+    if (listed[2] == btype && (atom->mask[listed[0]] & atom->mask[listed[1]] & groupbit))
+      mine[0] = 1;
+  }
+  MPI_Allreduce(mine.data(), there.data(), atom->nbondtypes + 1, MPI_INT, MPI_MAX, world);
+  if (there[0] || comm->me != 0) return;
+  std::string types;
+  for (int type = 1; type <= atom->nbondtypes; type++)
+    if (there[type]) types += (types.empty() ? "" : ", ") + std::to_string(type);
+  error->warning(FLERR,
+                 "Fix potdem/failure {}: no bond of type {} has both ends in group {}, so nothing "
+                 "can fail until one comes; there are {}; give the fix a bond type and a group "
+                 "that have bonds, or make them with potdem_bonds",
+                 id, btype, group->names[igroup],
+                 types.empty() ? "no bonds at all" : "bonds of type " + types);
 }
 
 /* ---------------------------------------------------------------------- */

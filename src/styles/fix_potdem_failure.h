@@ -59,6 +59,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   double bond_energy(int i, int j) const;
   double contact_reach(int i, int j) const;
   void record(const std::vector<Failure> &);
+  void warn_if_idle() const;
   void remove(const Failure &);
 };
 

@@ -334,3 +334,44 @@ def test_a_normal_scatter_is_cut(run_lammps, tmp_path):
     assert len(values) == 400 and values.min() >= 0.4 and values.max() <= 1.6 + late
     assert values.mean() == pytest.approx(1.0, abs=4 * 0.2 / 20 + late)
     assert values.std() == pytest.approx(0.2, abs=4 * 0.2 / np.sqrt(800))
+
+
+# --- a fix that nothing can happen to --------------------------------------------------------------------
+
+def idle_warnings(run):
+    return re.findall(r"^WARNING: (Fix potdem/failure .*?) \(\S*fix_potdem_failure.cpp:\d+\)$", run.log, re.MULTILINE)
+
+
+def two_types(failure, group="all"):
+    """a pair bonded with type 2 of three"""
+    script = pair_script(failure, speed=(-2.0, 2.0), group=group)
+    return script.replace("bond/types 1", "bond/types 3").replace("potdem_bonds all 1", "potdem_bonds all 2").replace(
+        "potdem/failure 1", "potdem/failure {}")
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("btype, group", [(1, "all"), (3, "all"), (2, "one")])
+def test_bonds_that_no_fix_is_for_are_named_once_in_each_run(run_lammps, nprocs, btype, group):
+    script = two_types("tension 80", group).format(btype)
+    run = run_lammps(script + "run 0\nrun 2\nrun 2\n", nprocs=nprocs)
+    found = idle_warnings(run)
+    assert len(found) == 2
+    for text in found:
+        assert f"no bond of type {btype} has both ends in group {group}" in text
+        assert "there are bonds of type 2;" in text
+
+
+def test_no_bonds_at_all(run_lammps):
+    script = re.sub(r"^potdem_bonds.*$", "", pair_script("tension 80"), flags=re.MULTILINE)
+    script = script.replace("newton", "newton on off\nnewton", 1) if "newton" in script else "newton on off\n" + script
+    script += "special_bonds lj 0 1 1 coul 0 1 1\nrun 2\n"
+    (text,) = idle_warnings(run_lammps(script))
+    assert "there are no bonds at all" in text and "potdem_bonds" in text
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_nothing_is_said_where_bonds_are_or_all_have_failed(run_lammps, nprocs):
+    """the pair is pulled apart in the first run; the second and third have no bond left"""
+    run = run_lammps(two_types("tension 80").format(2) + "run 400\nrun 2\nrun 2\n", nprocs=nprocs)
+    assert run.thermo["f_failure"][-1] == 1 and run.thermo["Bonds"][-1] == 0
+    assert idle_warnings(run) == []
