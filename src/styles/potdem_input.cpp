@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 using namespace LAMMPS_NS;
 
@@ -107,9 +108,12 @@ double PotdemInput::number(const std::string &name)
 {
   const std::string text = word();
   if (!utils::is_double(text)) fail(fmt::format("{} must be a number, not '{}'", name, text));
-  const double value = utils::numeric(FLERR, text, false, lmp);
-  if (!std::isfinite(value)) range(name, value, "finite");
-  return value;
+  try {
+    return std::stod(text);
+  } catch (const std::out_of_range &) {
+    fail(fmt::format("{} = {} is too large or too small for a number in double precision", name,
+                     text));
+  }
 }
 
 double PotdemInput::positive(const std::string &name)

@@ -7,11 +7,14 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "text_file_reader.h"
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 using namespace LAMMPS_NS;
 
@@ -23,6 +26,13 @@ static const PotdemProperty PROPERTIES[] = {
     {"compression", "compression strength", PotdemProperty::STRESS, &PotdemInput::positive},
     {"friction", "friction mu", PotdemProperty::NONE, &PotdemInput::nonnegative},
 };
+
+// bytes; the larger one that is bundled has 4000
+static constexpr std::size_t LARGEST_FILE = 1000000;
+// without its comment, for messages that quote it
+static constexpr std::size_t LONGEST_LINE = 200;
+// that some editors put before UTF-8
+static const std::string BYTE_ORDER_MARK = "\xef\xbb\xbf";
 
 // LAMMPS's unit systems in which a stress is force over area, and their units in Pa and kg/m^3
 struct MechanicalUnits {
@@ -62,6 +72,51 @@ std::string PotdemProperty::names()
   return listed(all);
 }
 
+static std::vector<std::string> words_of(const std::string &line)
+{
+  std::istringstream in(line);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+// in the first line, which is a comment and may have anything: nothing if it is no plain word
+static std::string word_after(const std::string &key, const std::string &line)
+{
+  const auto words = words_of(line);
+  const auto found = std::find(words.begin(), words.end(), key);
+  if (found == words.end() || found + 1 == words.end()) return "";
+  const auto &word = *(found + 1);
+  const bool plain =
+      word.size() <= LONGEST_LINE && std::all_of(word.begin(), word.end(), [](char c) {
+        return c > ' ' && c <= '~';
+      });
+  return plain ? word : "";
+}
+
+// what is wrong with a character outside comments
+static std::string misread(unsigned char c)
+{
+  if (c == '\'' || c == '"') return "a quote: write names and values without quotes";
+  if (c == '\r')
+    return "a carriage return in its middle: end lines with a newline, as on Unix or Windows";
+  if (c > '~' || (c < ' ' && !isspace(c)))
+    return fmt::format(
+        "the byte 0x{:02x}, which is not printable ASCII (perhaps a special blank or "
+        "sign, or an accent): only comments may have such",
+        static_cast<unsigned>(c));
+  return "";
+}
+
+// false: it cannot be read. One byte too many is enough to know that a file is too large
+static bool read_bytes(const std::string &path, std::string &text)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (path.empty() || !file) return false;
+  text.resize(LARGEST_FILE + 1);
+  file.read(&text[0], LARGEST_FILE + 1);
+  text.resize(file.gcount());
+  return !file.bad();
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool PotdemMaterialFile::is(const std::string &word)
@@ -72,52 +127,97 @@ bool PotdemMaterialFile::is(const std::string &word)
 PotdemMaterialFile::PotdemMaterialFile(LAMMPS *lmp, PotdemInput &asking, const std::string &_name) :
     Pointers(lmp), name(_name)
 {
-  auto lines = read(asking);
-  const std::string units = utils::trim(lines[0]);
-  date = utils::trim(lines[1]);
-  std::string current;
-  for (std::size_t k = 2; k < lines.size(); k++) parse(lines[k], current);
+  std::istringstream text(read(asking));
+  std::string line, units, current;
+  bool first = true;
+  for (int number = 1; std::getline(text, line); number++) {
+    if (first && !words_of(line).empty()) {
+      units = word_after("UNITS:", line);
+      date = word_after("DATE:", line);
+      first = false;
+    }
+    const auto words = words_of(checked(line, number));
+    if (!words.empty()) parse(words, number, current);
+  }
   convert(asking, units);
 }
 
-// its units, its date, and its lines without comments, on all ranks
-std::vector<std::string> PotdemMaterialFile::read(PotdemInput &asking)
+// its text, on all ranks
+std::string PotdemMaterialFile::read(PotdemInput &asking)
 {
-  const std::string kind = "material";
-  std::string text;
+  std::string text, path;
+  int length = -1;
   if (comm->me == 0) {
-    const std::string path = utils::get_potential_file_path(name);
-    if (!path.empty()) {
-      // blanks keep the first two from being taken for empty lines
-      text = " " + utils::get_potential_units(path, kind) + "\n " +
-          utils::get_potential_date(path, kind);
-      TextFileReader reader(path, kind);
-      while (const char *line = reader.next_line()) text += "\n" + utils::trim(line);
-    }
+    path = utils::get_potential_file_path(name);
+    if (read_bytes(path, text)) length = static_cast<int>(text.size());
   }
-  int length = static_cast<int>(text.size());
   MPI_Bcast(&length, 1, MPI_INT, 0, world);
-  text.resize(length);
-  MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
-  if (text.empty()) {
+  if (length < 0) {
     const char *folders = getenv("LAMMPS_POTENTIALS");
     asking.fail(fmt::format("there is no material file '{}' that can be read, neither here nor in "
                             "the folders of LAMMPS_POTENTIALS ({}); give its path, or set "
                             "LAMMPS_POTENTIALS to POTDEM's folder potentials",
                             name, folders && *folders ? folders : "which is not set"));
   }
-  return Tokenizer(text, "\n").as_vector();
+  text.resize(length);
+  MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
+  if (text.compare(0, BYTE_ORDER_MARK.size(), BYTE_ORDER_MARK) == 0)
+    text.erase(0, BYTE_ORDER_MARK.size());
+  check_whole(asking, text);
+  return text;
 }
 
-void PotdemMaterialFile::parse(const std::string &line, std::string &current)
+// a number that is cut off is still a number, so that the last newline must tell
+void PotdemMaterialFile::check_whole(PotdemInput &asking, const std::string &text) const
+{
+  if (text.size() > LARGEST_FILE)
+    asking.fail(fmt::format("{} has more than {} bytes, which no material file has; give another "
+                            "file",
+                            name, LARGEST_FILE));
+  if (text.find('\0') != std::string::npos)
+    asking.fail(fmt::format("material file {} has bytes of zero, so it is no plain text (perhaps "
+                            "UTF-16, or a binary file): save it as plain text, in ASCII or UTF-8",
+                            name));
+  if (!text.empty() && text.back() != '\n')
+    asking.fail(fmt::format("material file {} seems to be cut off in line {}, which has no newline "
+                            "at its end: copy the file again, or end its last line with a newline "
+                            "if it is complete",
+                            name, 1 + std::count(text.begin(), text.end(), '\n')));
+}
+
+// a line without its comment, if there is nothing in it that would be misread; comments may have any bytes
+std::string PotdemMaterialFile::checked(std::string line, int number) const
+{
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  line.erase(std::min(line.find('#'), line.size()));
+  for (const unsigned char c : line) {
+    const auto reason = misread(c);
+    if (reason.empty()) continue;
+    PotdemWords none("");
+    at(number, "", none).fail("the line has " + reason);
+  }
+  return line;
+}
+
+// for errors in a line
+PotdemInput PotdemMaterialFile::at(int number, const std::string &current, PotdemWords &words) const
+{
+  const auto place = current.empty() ? "material file " + name
+                                     : fmt::format("material '{}' in {}", current, name);
+  return {lmp, fmt::format("{}, line {}", place, number), words.narg(), words.arg()};
+}
+
+void PotdemMaterialFile::parse(const std::vector<std::string> &line, int number,
+                               std::string &current)
 {
   PotdemWords words(line);
-  PotdemInput input(lmp,
-                    current.empty() ? "material file " + name
-                                    : fmt::format("material '{}' in {}", current, name),
-                    words.narg(), words.arg());
+  auto input = at(number, current, words);
+  const std::string text = utils::join_words(line, " ");
+  if (text.size() > LONGEST_LINE)
+    input.fail(
+        fmt::format("'{} ...' is too long for a name and one value", text.substr(0, LONGEST_LINE)));
+  if (words.narg() != 2) input.fail(fmt::format("'{}' is not a name and one value", text));
   const std::string key = input.word();
-  if (words.narg() != 2) input.fail(fmt::format("'{}' is not a name and one value", line));
   if (key == "material") {
     current = input.word();
     if (current == "NULL" || materials.count(current))
@@ -129,7 +229,7 @@ void PotdemMaterialFile::parse(const std::string &line, std::string &current)
   const auto *const property = PotdemProperty::find(key);
   if (!property) input.unknown("material, " + PotdemProperty::names());
   if (current.empty())
-    input.fail(fmt::format("'{}' belongs to no material, put 'material NAME' before it", line));
+    input.fail(fmt::format("'{}' belongs to no material, put 'material NAME' before it", text));
   if (materials[current].count(key)) input.fail(fmt::format("{} is given twice", key));
   materials[current][key] = (input.*property->read)(property->label);
 }
@@ -150,8 +250,17 @@ void PotdemMaterialFile::convert(PotdemInput &asking, const std::string &units)
                             name, units, wanted, from ? "si" : units, wanted));
   const double factor[] = {1.0, from->stress / to->stress, from->density / to->density};
   for (auto &material : materials)
-    for (auto &one : material.second)
-      one.second *= factor[PotdemProperty::find(one.first)->dimension];
+    for (auto &one : material.second) {
+      const auto dimension = PotdemProperty::find(one.first)->dimension;
+      if (dimension == PotdemProperty::NONE) continue;
+      const double value = one.second;
+      one.second *= factor[dimension];
+      if (!std::isnormal(one.second))
+        asking.fail(fmt::format("{} of material '{}' in {} is {:g} in {} units, which is too {} "
+                                "for a number in {} units: mend the value, or use {} units",
+                                one.first, material.first, name, value, units,
+                                std::isinf(one.second) ? "large" : "small", wanted, units));
+    }
   converted = units;
 }
 

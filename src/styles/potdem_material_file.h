@@ -56,8 +56,11 @@ class PotdemMaterialFile : protected Pointers {
   std::string name, date, converted;
   std::map<std::string, std::map<std::string, double>> materials;    // name, properties
 
-  std::vector<std::string> read(PotdemInput &asking);
-  void parse(const std::string &line, std::string &current);
+  std::string read(PotdemInput &asking);
+  void check_whole(PotdemInput &asking, const std::string &text) const;
+  std::string checked(std::string line, int number) const;
+  PotdemInput at(int number, const std::string &current, PotdemWords &words) const;
+  void parse(const std::vector<std::string> &line, int number, std::string &current);
   void convert(PotdemInput &asking, const std::string &units);
   std::string no_material(const std::string &material) const;
 };

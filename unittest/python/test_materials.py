@@ -469,3 +469,117 @@ def test_message_of_a_bad_file(run_lammps, tmp_path, name):
     (tmp_path / "bad.potdem").write_text("\n".join(lines) + "\n")
     message = run_lammps("units si\npotdem_material bad.potdem soft E E\n", nprocs=2, expect_error="").error
     assert not [word for word in words if word not in message], message
+
+
+# ---- text that is not as it should be ----
+
+GOOD = b"# DATE: 2026-01-31 UNITS: si\n\nmaterial soft   # a comment\nE 500\nnu 0.22\n"
+
+# the same file, written otherwise: E is 500 and nu 0.22 all the same
+SAME = {
+    "Windows line ends": GOOD.replace(b"\n", b"\r\n"),
+    "byte-order mark": b"\xef\xbb\xbf" + GOOD,
+    "both": b"\xef\xbb\xbf" + GOOD.replace(b"\n", b"\r\n"),
+    "empty line first": b"\n" + GOOD,
+    "quotes in comments": GOOD.replace(b"a comment", b"the thesis's \"soft\" one").replace(b"UNITS: si", b"UNITS: si COMMENT: don't"),
+    "comment of another encoding": GOOD.replace(b"a comment", b"b\xe9ton \xff\x01"),
+    "first line of another encoding": GOOD.replace(b"UNITS: si", b"UNITS: si CITATION: M\xfcller"),
+    "date of another encoding": GOOD.replace(b"DATE: 2026-01-31", b"DATE: 3.\xe4"),
+    "comment in UTF-8": GOOD.replace(b"a comment", "Beton, ν = 0,22 – „weich“".encode()),
+    "long comment": GOOD.replace(b"a comment", 20000 * b"long "),
+    "long first line": GOOD.replace(b"UNITS: si", 5000 * b"CITATION: " + b"UNITS: si"),
+    "many blanks": GOOD.replace(b"E 500", 3000 * b" " + b"E" + 3000 * b"\t" + b"500" + 3000 * b" "),
+    "many comments": GOOD + 10000 * b"# more\n",
+}
+
+
+def modulus_and_ratio(run_lammps, **more):
+    return run_lammps("units si\npotdem_material odd.potdem soft E E nu nu\n" + scripts.result("v_E", "v_nu"), **more)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("name", SAME)
+def test_text_that_is_read_as_what_it_means(run_lammps, tmp_path, name, nprocs):
+    (tmp_path / "odd.potdem").write_bytes(SAME[name])
+    run = modulus_and_ratio(run_lammps, nprocs=nprocs)
+    assert scripts.results(run.stdout).tolist() == [[500.0, 0.22]]
+    assert ("of 2026-01-31" in run.stdout) == ("date" not in name)
+
+
+CUT = ["odd.potdem seems to be cut off in line {}", "end its last line with a newline"]
+ODD = {
+    "quoted name": (GOOD.replace(b"material soft", b"material 'soft'"), ["odd.potdem, line 3", "a quote", "without quotes"]),
+    "open quote": (GOOD.replace(b"E 500", b"E \"500"), ["odd.potdem, line 4", "a quote"]),
+    "apostrophe": (GOOD.replace(b"nu 0.22", b"young's 1"), ["odd.potdem, line 5", "a quote"]),
+    "cut in a number": (GOOD[:-3], [CUT[0].format(5), CUT[1]]),
+    "cut after a number": (GOOD[:-1], [CUT[0].format(5), CUT[1]]),
+    "cut in a comment": (GOOD[:40], [CUT[0].format(3), CUT[1]]),
+    "cut in Windows text": (GOOD.replace(b"\n", b"\r\n")[:-1], [CUT[0].format(5), CUT[1]]),
+    "no bytes at all": (b"", ["odd.potdem does not say its units"]),
+    "UTF-16": (b"\xff\xfe" + GOOD.decode().encode("utf-16-le"), ["odd.potdem has bytes of zero", "UTF-16", "save it as plain text"]),
+    "a zero byte": (GOOD.replace(b"500", b"5\x000"), ["odd.potdem has bytes of zero"]),
+    "a zero byte in a comment": (GOOD.replace(b"a comment", b"a\x00comment"), ["odd.potdem has bytes of zero"]),
+    "old Macintosh line ends": (GOOD.replace(b"\n", b"\r"), ["odd.potdem seems to be cut off in line 1"]),
+    "one lost line feed": (GOOD.replace(b"500\nnu", b"500\rnu"), ["odd.potdem, line 4", "a carriage return", "as on Unix or Windows"]),
+    "name of another encoding": (GOOD.replace(b"soft ", b"b\xe9ton "), ["odd.potdem, line 3", "0xe9", "not printable ASCII"]),
+    "no-break space": (GOOD.replace(b"E 500", "E\u00a0500".encode()), ["odd.potdem, line 4", "0xc2", "special blank"]),
+    "minus sign": (GOOD.replace(b"nu 0.22", "nu −0.1".encode()), ["odd.potdem, line 5", "0xe2", "sign"]),
+    "mark in the middle": (GOOD + b"\xef\xbb\xbf" + GOOD, ["odd.potdem, line 6", "0xef"]),
+    "control character": (GOOD.replace(b"E 500", b"E \x1b500"), ["odd.potdem, line 4", "0x1b"]),
+    "escape": (GOOD.replace(b"E 500", b"E\\ 500"), ["odd.potdem, line 4", "unknown keyword 'E\\'"]),
+    "long word": (GOOD.replace(b"500", 100000 * b"5"), ["material 'soft' in odd.potdem, line 4", "too long"]),
+    "long line": (GOOD.replace(b"500", 100000 * b"5 "), ["material 'soft' in odd.potdem, line 4", "too long"]),
+    "units of 100000 letters": (GOOD.replace(b"UNITS: si", b"UNITS: " + 100000 * b"s"), ["odd.potdem does not say its units"]),
+    "too large": (GOOD + 100000 * b"# more more\n", ["odd.potdem has more than 1000000 bytes"]),
+    "beyond double precision": (GOOD.replace(b"500", b"1e400"), ["material 'soft' in odd.potdem, line 4", "E = 1e400", "too large or too small"]),
+    "below double precision": (GOOD.replace(b"500", b"1e-400"), ["material 'soft' in odd.potdem, line 4", "E = 1e-400", "too large or too small"]),
+    "denormal": (GOOD.replace(b"500", b"1e-310"), ["material 'soft' in odd.potdem, line 4", "E = 1e-310"]),
+    "decimal comma": (GOOD.replace(b"0.22", b"0,22"), ["material 'soft' in odd.potdem, line 5", "nu must be a number, not '0,22'"]),
+    "Fortran exponent": (GOOD.replace(b"500", b"5d2"), ["material 'soft' in odd.potdem, line 4", "E must be a number, not '5d2'"]),
+}
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("name", ODD)
+def test_text_that_cannot_be_read(run_lammps, tmp_path, name, nprocs):
+    """one error, which names the file, and the line where there is one; it is short and plain text itself"""
+    text, words = ODD[name]
+    (tmp_path / "odd.potdem").write_bytes(text)
+    run = modulus_and_ratio(run_lammps, nprocs=nprocs, expect_error="")
+    assert not [word for word in words if word not in run.error], run.error
+    assert run.stdout.count("ERROR") == 1
+    assert len(run.error) < 500 and run.error.isprintable() and run.error.isascii()
+
+
+def test_a_folder_is_no_material_file(run_lammps, tmp_path):
+    (tmp_path / "odd.potdem").mkdir()
+    message = modulus_and_ratio(run_lammps, expect_error="").error
+    assert "'odd.potdem'" in message and "can be read" in message
+
+
+# in units of the other system: stress si 1, cgs 0.1 Pa, micro 1e3 Pa, nano 1e6 Pa
+@pytest.mark.parametrize("units, wanted, key, value, word", [
+    ("si", "cgs", "E", "1e308", "large"),           # 1e309
+    ("nano", "si", "tension", "1e305", "large"),    # 1e311
+    ("si", "nano", "E", "1e-305", "small"),         # 1e-311, denormal
+    ("cgs", "nano", "compression", "3e-308", "small"),    # 3e-315
+    ("si", "micro", "density", "3e-308", "small"),  # 3e-311
+])
+def test_values_that_other_units_cannot_hold(run_lammps, tmp_path, units, wanted, key, value, word):
+    (tmp_path / "odd.potdem").write_text(f"# UNITS: {units}\nmaterial soft\n{key} {value}\n")
+    message = run_lammps(f"units {wanted}\npotdem_material odd.potdem soft {key} x\n", nprocs=2, expect_error="").error
+    for part in (f"{key} of material 'soft' in odd.potdem", f"is {value.replace('e', 'e+') if '-' not in value else value} in {units} units",
+                 f"too {word}", f"in {wanted} units"):
+        assert part in message
+
+
+@pytest.mark.parametrize("units, wanted, value, stress", [("si", "cgs", 1e306, 1e307), ("si", "nano", 3e-301, 3e-307)])
+def test_values_that_other_units_just_hold(run_lammps, tmp_path, units, wanted, value, stress):
+    (tmp_path / "odd.potdem").write_text(f"# UNITS: {units}\nmaterial soft\nE {value:g}\nfriction 0\nnu 0\n")
+    run = run_lammps(f"units {wanted}\npotdem_material odd.potdem soft E E friction mu nu nu\n" + scripts.result("v_E", "v_mu", "v_nu"))
+    assert scripts.results(run.stdout)[0] == pytest.approx([stress, 0, 0], rel=1e-14)
+
+
+@pytest.mark.parametrize("path", BUNDLED, ids=lambda path: path.name)
+def test_bundled_files_end_with_a_newline(path):
+    assert path.read_bytes().endswith(b"\n")
