@@ -17,7 +17,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import work_precision  # noqa: E402
 import writing  # noqa: E402
-from cases import CASES, Unavailable, keep_calculix  # noqa: E402
+from cases import CASES, keep_calculix  # noqa: E402
 from lammps_run import logfile  # noqa: E402
 
 INTRODUCTION = """# Error against run time
@@ -152,7 +152,7 @@ def main(argv):
             try:
                 case = CASES[name](arguments.short, work / name)
                 made = (case, *points_of(case, arguments.repeats, work / name))
-            except (Unavailable, LookupError, ValueError, logfile.LogError) as reason:
+            except (LookupError, ValueError, logfile.LogError) as reason:
                 # a scene that has changed must not cost the other cases
                 skipped.append(f"* {name} is left out: {type(reason).__name__}: {reason}.")
                 print(skipped[-1], file=sys.stderr, flush=True)

@@ -14,10 +14,6 @@ EXAMPLES = lammps_run.ROOT / "examples"
 FAILED = None
 
 
-class Unavailable(Exception):
-    """a case that cannot be run, and why"""
-
-
 @dataclass
 class Setting:
     """one choice of all knobs. measure(folder, round) -> (seconds, dict of quantities or FAILED)"""
