@@ -161,9 +161,9 @@ def test_example_runs(run_lammps, kind, name, example):
 
 def test_script_of_the_readme_breaks_the_beam_off_at_the_clamp(run_lammps):
     (script,) = scripts(README.read_text(encoding="utf-8"))
-    # the fragment with atom 1, which is clamped, has the number 1
+    # the piece with atom 1, which is clamped, has the number 1
     run = run_lammps(script + """
-compute piece all fragment/atom single yes
+compute piece all aggregate/atom 1e-9
 compute least free reduce min c_piece
 run 0
 print "LEAST $(c_least)"
@@ -224,3 +224,23 @@ def test_tutorial_runs_after_every_step_and_says_what_the_page_quotes(run_lammps
     printed = " ".join(run_lammps(script + "thermo 100\nrun 200\n").stdout.split())
     for quoted in re.findall(r"LAMMPS\s+says\s+`([^`]+)`(?:\s+and\s+`([^`]+)`)?", STEPS[last][2]):
         assert all(" ".join(words.split()) in printed for words in quoted)
+
+
+EXAMPLE_PAGES = sorted((ROOT / "examples").glob("*/README.md"))
+
+
+@pytest.mark.parametrize("page", EXAMPLE_PAGES, ids=lambda page: page.parent.name)
+def test_commands_of_an_example_name_programs_where_they_are(page):
+    """from the scene's folder if they begin with a dot, else from the top of the tree"""
+    commands = [line.split() for block in re.findall(r"^```\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+                for line in block.splitlines() if line.strip()]
+    named = [words for words in commands if re.match(r"(\.|examples/|tools/|build/|bench/)", words[0])]
+    assert any(words[0] == "examples/run" for words in named)
+    for words in named:
+        folder = page.parent if words[0].startswith(".") else ROOT
+        program = (folder / words[0]).resolve()
+        if program.name == "lmp":
+            assert program == ROOT / "build" / "lmp", words
+            assert (folder / words[words.index("-in") + 1]).exists(), words
+        else:
+            assert program.exists(), words

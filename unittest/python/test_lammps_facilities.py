@@ -323,3 +323,43 @@ def test_pair_write_needs_two_particles(run_lammps, particles, nprocs):
     script += f"pair_coeff * * {GRAIN.coeff}\npair_write 1 1 5 r 0.8 0.9 t.table LAW\n"
     message = run_lammps(script, nprocs=nprocs, expect_error="potdem/hertz").error
     assert "pair_write needs the diameters of two particles" in message
+
+
+# --- pieces -----------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_pieces_of_bodies_with_more_bonds_than_fragment_can_take(run_lammps, nprocs):
+    """two cubes of 12 and 11 particles across, 23108 and 17497 bonds: more than compute fragment/atom has room for.
+    Bonds along a vector of (a, b, c) spacings in a cube of n across: (n - a)(n - b)(n - c)"""
+    def bonds(n):
+        shell = [v for v in itertools.product(range(-2, 3), repeat=3) if 0 < sum(k * k for k in v) <= 4]
+        return sum(math.prod(n - abs(k) for k in v) for v in shell) // 2
+
+    assert bonds(11) > 16384
+    script = scripts.box(60) + """
+lattice sc 1.0
+region one block -20 -9 0 11 0 11 units box
+region two block 9 19 0 10 0 10 units box
+create_atoms 1 region one
+create_atoms 1 region two
+set group all diameter 1.0
+set group all density 1.0
+potdem_bonds all 1 2.0 diameters
+""" + scripts.elastic() + """
+compute piece all aggregate/atom 1e-9
+compute chunk all chunk/atom c_piece compress yes
+compute size all property/chunk chunk count
+fix move all nve
+thermo_style custom step bonds
+run 1
+""" + scripts.result("c_size[1]", "c_size[2]") + """
+variable piece atom c_piece
+set group all mol v_piece
+compute molecules all chunk/atom molecule compress yes
+compute msize all property/chunk molecules count
+run 0
+""" + scripts.result("c_msize[1]", "c_msize[2]")
+    run = run_lammps(script, nprocs=nprocs)
+    assert run.thermo["Bonds"][0] == bonds(12) + bonds(11)
+    for row in scripts.results(run.stdout):
+        assert sorted(row) == [11**3, 12**3]
