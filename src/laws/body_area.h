@@ -369,7 +369,7 @@ inline Vector3 BodyArea::cell_at_surface(int i, double scale, int rays) const
     double height, radius;    // of the particle that it touches
   };
   std::vector<Plane> planes;
-  auto add = [this, i, scale, &planes](int j, const Vector3 &dx) {
+  auto add = [this, scale, &planes](int j, const Vector3 &dx) {
     const double *n = &normal[3 * static_cast<std::size_t>(j)];
     const Plane plane = {
         {n[0], n[1], n[2]}, n[0] * dx[0] + n[1] * dx[1] + n[2] * dx[2], 0.5 * scale * diameter[j]};

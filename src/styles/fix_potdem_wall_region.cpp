@@ -224,7 +224,7 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   too_near = watch ? PotdemWatch::DEEP : 0.0;
   std::visit(
       [this](const auto &wall) {
-        push_with<MOTION>(wall);
+        this->template push_with<MOTION>(wall);
       },
       law);
 }

@@ -11,6 +11,7 @@
 #include "domain.h"
 #include "error.h"    // IWYU pragma: keep
 #include "lammps.h"
+#include "pair.h"
 
 #include <cstring>
 #include <utility>
@@ -36,7 +37,15 @@ namespace PotdemCompat {
     minimum_image(domain, del, 0);
   }
 
-  // LAMMPS of 2025 asks a pair style for cutoffs by size (atom2cut, radii2cut) if it says that it has them
+  // LAMMPS of 2025 asks a pair style for cutoffs by size if it says that it has them; that of 2026 does not
+  // know them. Declared here, they can be overridden under both.
+  class PairWithCutoffsBySize : public Pair {
+   public:
+    using Pair::Pair;
+    virtual double atom2cut(int) = 0;
+    virtual double radii2cut(double, double) = 0;
+  };
+
   template <class P> auto has_cutoffs_by_size(P *pair, int) -> decltype(pair->finitecutflag, void())
   {
     pair->finitecutflag = 1;

@@ -66,7 +66,7 @@ std::vector<PairPotdemBase *> PairPotdemBase::all(LAMMPS *lmp)
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
-    Pair(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr), bond_store(nullptr),
+    PairWithCutoffsBySize(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr), bond_store(nullptr),
     watch(nullptr), atom_types(0), watched_step(0.0)
 {
   writedata = 1;

@@ -18,6 +18,7 @@
 #ifndef LMP_PAIR_POTDEM_H
 #define LMP_PAIR_POTDEM_H
 
+#include "lammps_compat.h"
 #include "laws/evaluation.h"
 #include "laws/friction.h"
 #include "laws/pairing.h"
@@ -37,7 +38,7 @@ class PotdemInput;
 // the styles of hybrid, or the one that there is: (style, name)
 std::vector<std::pair<Pair *, std::string>> potdem_pair_parts(class Force *);
 
-class PairPotdemBase : public Pair {
+class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
  public:
   PairPotdemBase(class LAMMPS *);
   ~PairPotdemBase() override;
@@ -70,9 +71,8 @@ class PairPotdemBase : public Pair {
   void lose_memory() { bond_store = nullptr; }
   void lose_watch() { watch = nullptr; }
 
-  // no override: not all LAMMPS versions have these two
-  double atom2cut(int);
-  double radii2cut(double, double);
+  double atom2cut(int) override;
+  double radii2cut(double, double) override;
 
  protected:
   std::vector<POTDEM::Friction> friction;    // per pair of types
@@ -179,7 +179,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   std::vector<Law> laws;
   std::vector<typename Law::Kernel> kernels;
 
-  void work(Span &);    // the forces of a part of the list
+  void work(Span &) override;
   Law read(PotdemInput &, POTDEM::Friction &) const;
   virtual void prepare(Law &) const {}    // what pair_style itself says about a law
   void allocate() override;

@@ -1,8 +1,11 @@
 """Getting LAMMPS, building with it, and the plugin."""
 
+import json
 import re
+import shutil
 import subprocess
 import tarfile
+from concurrent.futures import ThreadPoolExecutor
 
 import conftest
 import pytest
@@ -183,3 +186,36 @@ def test_mirror_archive_with_a_wrong_checksum_is_refused(root, tmp_path):
     text, tree = fetch(root, tmp_path, NOWHERE, (tmp_path / "mirror").as_uri())
     assert "wrong checksum" in text
     assert not tree.exists()
+
+
+# --- another compiler -------------------------------------------------------------------------------------
+
+def commands(root, build):
+    """{source of this package: (folder, how it is compiled)}; the first command of each"""
+    listed = subprocess.run(["ninja", "-C", build, "-t", "compdb"], text=True, check=True, stdout=subprocess.PIPE).stdout
+    ours = {}
+    for entry in json.loads(listed[listed.index("["):]):
+        if entry["file"].startswith(f"{root / 'src'}/") and entry["file"].endswith(".cpp"):
+            ours.setdefault(entry["file"], (entry["directory"], entry["command"]))
+    return ours
+
+
+def test_clang_has_no_warnings(root, build):
+    """what the build compiles, with the build's options, read by another compiler"""
+    clang = shutil.which("clang++")
+    if not clang or not (build / "build.ninja").exists():
+        pytest.skip("needs clang++ and a build by Ninja")
+
+    def complaints(command):
+        folder, text = command
+        options = text.split(" -D", 1)[1].split(" -MD ")[0]
+        done = subprocess.run(f"{clang} -D{options} -fsyntax-only {text.split()[-1]}", shell=True, cwd=folder, text=True, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        assert "-Wextra" in options
+        return re.findall(r"^.*(?:warning|error): .*", done.stdout, re.MULTILINE)
+
+    ours = commands(root, build)
+    assert len(ours) >= len(list((root / "src" / "styles").glob("*.cpp")))
+    with ThreadPoolExecutor(2) as workers:
+        found = {line for lines in workers.map(complaints, ours.values()) for line in lines}
+    assert sorted(found) == []
