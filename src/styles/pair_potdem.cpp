@@ -66,8 +66,8 @@ std::vector<PairPotdemBase *> PairPotdemBase::all(LAMMPS *lmp)
 /* ---------------------------------------------------------------------- */
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
-    PairWithCutoffsBySize(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr), bond_store(nullptr),
-    watch(nullptr), atom_types(0), watched_step(0.0)
+    PairWithCutoffsBySize(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr),
+    bond_store(nullptr), watch(nullptr), atom_types(0), watched_step(0.0)
 {
   writedata = 1;
   single_enable = 1;
