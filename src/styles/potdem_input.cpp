@@ -111,8 +111,9 @@ double PotdemInput::number(const std::string &name)
   try {
     return std::stod(text);
   } catch (const std::out_of_range &) {
-    fail(fmt::format("{} = {} is too large or too small for a number in double precision", name,
-                     text));
+    fail(fmt::format(
+        "{} = {} is out of range: too large or too small for a number in double precision", name,
+        text));
   }
 }
 
