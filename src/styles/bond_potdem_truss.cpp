@@ -163,7 +163,7 @@ void BondPotdemTruss::init_style()
                "bonded pairs do not touch, all others do");
   bond_store = PotdemBondStore::ensure(lmp);
   lost = false;
-  bond_store->turn_off_failed();
+  bond_store->new_contacts.clear();    // the pair style comes first
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
   FixPotdemRefresh::ensure(lmp);

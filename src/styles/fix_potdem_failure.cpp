@@ -16,8 +16,10 @@
 #include "fix_potdem_failure.h"
 
 #include "bond_potdem_truss.h"
+#include "fix_potdem_contacts.h"
 #include "lammps_compat.h"
 #include "laws/truss.h"
+#include "pair_potdem.h"
 #include "potdem_bond_store.h"
 #include "potdem_gather.h"
 #include "potdem_input.h"
@@ -197,14 +199,20 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
   const auto failed = describe_pending();
   pending.clear();
   bool near = false;
+  std::vector<PotdemNewContact> touching;
   for (const auto &failure : failed) {
     remove(failure);
+    if (failure.contact > 0.0)
+      touching.push_back(
+          {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2), failure.contact});
     near = near || failure.gap < 2.0 * neighbor->skin;
     (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
     energy += failure.energy;
     atom->nbonds--;
   }
   pre_exchange();    // LAMMPS's special lists know it at once
+  // a pair within reach of its contact law remembers the distance, at which the law will begin
+  for (auto *const pair : PairPotdemBase::all(lmp)) pair->expect_contacts(touching);
   if (near) next_reneighbor = update->ntimestep + 1;
 }
 
@@ -273,8 +281,7 @@ double FixPotdemFailure::bond_energy(int i, int j) const
 }
 
 /* ----------------------------------------------------------------------
-   wherever this rank holds the bond; a pair within reach of its contact law keeps its present distance, at
-   which the law will begin
+   wherever this rank holds the bond, for good
 ------------------------------------------------------------------------- */
 
 void FixPotdemFailure::remove(const Failure &failure)
@@ -286,7 +293,7 @@ void FixPotdemFailure::remove(const Failure &failure)
     if (i < 0 || i >= atom->nlocal) continue;
     held = true;
     bond->cut(i, tags[1 - end]);
-    bond_store->remove(i, bond_store->slot(i, tags[1 - end]), failure.contact);
+    bond_store->remove(i, bond_store->slot(i, tags[1 - end]));
   }
   if (!held) return;
   add_broken_bond(atom->map(tags[0]), atom->map(tags[1]));

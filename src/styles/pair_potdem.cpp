@@ -6,6 +6,7 @@
 #include "pair_potdem.h"
 
 #include "bond_potdem_truss.h"
+#include "fix_potdem_contacts.h"
 #include "fix_potdem_refresh.h"
 #include "lammps_compat.h"
 #include "laws/turning_point.h"
@@ -67,7 +68,8 @@ std::vector<PairPotdemBase *> PairPotdemBase::all(LAMMPS *lmp)
 
 PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
     PairWithCutoffsBySize(lmp), sliding(false), viscous(false), rotation(0), ledger(nullptr),
-    bond_store(nullptr), watch(nullptr), atom_types(0), watched_step(0.0)
+    contacts(nullptr), watch(nullptr), atom_types(0), watched_step(0.0),
+    contacts_id(FixPotdemContacts::reserve(lmp)), lost_contacts(false)
 {
   writedata = 1;
   single_enable = 1;
@@ -77,6 +79,7 @@ PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
 
 PairPotdemBase::~PairPotdemBase()
 {
+  FixPotdemContacts::release(lmp, contacts_id);
   delete[] svector;
   for (auto &one : published) memory->destroy(one.values);
   if (!allocated) return;
@@ -177,8 +180,7 @@ void PairPotdemBase::init_style()
     error->all(FLERR,
                "pair_style {} needs particle diameters, e.g. atom_style sphere or bpm/sphere",
                name());
-  // after a restart the pair style is the first to ask for it
-  bond_store = BondPotdemTruss::find(lmp) ? PotdemBondStore::ensure(lmp) : nullptr;
+  find_contacts();
   ledger = PotdemLedger::find(lmp);
   watch = PotdemWatch::ensure(lmp);
   FixPotdemRefresh::ensure(lmp);
@@ -194,6 +196,32 @@ void PairPotdemBase::init_style()
     potdem_warn_of_rolling_bodies(lmp, fmt::format("pair_style {}", name()));
   if (sliding || viscous) comm->ghost_velocity = 1;
   neighbor->add_request(this, touching() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
+}
+
+// where bonds can fail
+void PairPotdemBase::find_contacts()
+{
+  if (lost_contacts)
+    error->all(FLERR,
+               "pair_style {}: fix {}, in which contacts remember where they begin, was removed "
+               "with unfix: "
+               "leave it, or begin anew",
+               name(), contacts_id);
+  if (!BondPotdemTruss::find(lmp) && !modify->get_fix_by_id(contacts_id)) return;
+  contacts = FixPotdemContacts::ensure(lmp, contacts_id, this);
+  // after a restart the pair style is the first to ask for it
+  if (BondPotdemTruss::find(lmp)) contacts->expect(PotdemBondStore::ensure(lmp)->new_contacts);
+}
+
+void PairPotdemBase::expect_contacts(const std::vector<PotdemNewContact> &announced)
+{
+  if (contacts) contacts->expect(announced);
+}
+
+void PairPotdemBase::lose_contacts()
+{
+  contacts = nullptr;
+  lost_contacts = true;
 }
 
 // for neighbor multi with collections by size
@@ -313,14 +341,32 @@ void PairPotdemBase::cannot_mix(int i, int j, const std::string &coefficient) co
 }
 
 // a pair whose bond failed within reach of this law has the law moved inwards, so that it begins where the bond
-// ended: failure creates no energy
-POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
+// ended: failure creates no energy. 0: it begins where particles of this size touch
+POTDEM::Pairing PairPotdemBase::pairing(int i, int j, double begins) const
 {
   const double ri = atom->radius[i], rj = atom->radius[j], dbar = ri + rj;
-  if (!bond_store || !bond_store->overlapping()) return {ri, rj, dbar};
-  const double failed = bond_store->failure_distance(i, atom->tag[j]);
-  if (failed == 0.0) return {ri, rj, dbar};
-  return {ri, rj, dbar - MAX(0.0, reach(atom->type[i], atom->type[j], dbar) - failed)};
+  if (begins == 0.0) return {ri, rj, dbar};
+  return {ri, rj, dbar - MAX(0.0, reach(atom->type[i], atom->type[j], dbar) - begins)};
+}
+
+POTDEM::Pairing PairPotdemBase::pairing(int i, int j) const
+{
+  return pairing(i, j, begins_at(i, j));
+}
+
+// what a pair remembers, whichever of the two has it in its list
+double PairPotdemBase::begins_at(int i, int j) const
+{
+  if (!contacts || !contacts->any()) return 0.0;
+  for (int turn = 0; turn < 2; turn++, std::swap(i, j)) {
+    if (i >= atom->nlocal) continue;
+    const int *const first = list->firstneigh[i], *const last = first + list->numneigh[i];
+    const int *const found = std::find_if(first, last, [j](int listed) {
+      return (listed & NEIGHMASK) == j;
+    });
+    if (found != last) return contacts->distance(i, static_cast<int>(found - first));
+  }
+  return 0.0;
 }
 
 /* ----------------------------------------------------------------------

@@ -67,8 +67,12 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   double reach_per_size()
       const;    // how much further the laws reach, at most, over how much larger particles are
 
+  // for fix POTDEM_CONTACTS
+  void expect_contacts(const std::vector<struct PotdemNewContact> &);    // the same on all ranks
+  void transfer_history(double *from, double *to, int, int) override { *to = *from; }
+
   // somebody removes one of our fixes
-  void lose_memory() { bond_store = nullptr; }
+  void lose_contacts();
   void lose_watch() { watch = nullptr; }
 
   double atom2cut(int) override;
@@ -83,7 +87,7 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   bool sliding, viscous;    // any friction, any viscous part at all
   int rotation;
   class PotdemLedger *ledger;           // null: no compute potdem/energy
-  class PotdemBondStore *bond_store;    // null: no bonds in this simulation
+  class FixPotdemContacts *contacts;    // null: nothing to remember, as no bonds can fail here
   class PotdemWatch *watch;             // null: nothing to warn of
 
   // the columns that single() adds, for compute pair/local
@@ -97,6 +101,8 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   void coeff_by_material(int narg, char **arg);
   void set_coeff(int ilo, int ihi, int jlo, int jhi, const POTDEM::Friction &);
   POTDEM::Pairing pairing(int i, int j) const;
+  POTDEM::Pairing pairing(int i, int j, double begins) const;
+  double begins_at(int i, int j) const;
 
   // the part of the list that one thread does, where its forces go, and what it found
   struct Span {
@@ -138,6 +144,8 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
 
  private:
   double watched_step;    // for which the alarms are set
+  std::string contacts_id;
+  bool lost_contacts;
 
   // a coefficient of all pairs of types as fix adapt wants it
   struct Published {
@@ -152,6 +160,7 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   bool is_deep(int pair, const POTDEM::Pairing &, double r) const;
   double stiff_from(int i, int j, double ri, double rj) const;
   double without_particles() const;
+  void find_contacts();
   void find_needs();
   double closest(const PotdemMotion &, const PotdemTouch &, double most, double ahead) const;
   struct PotdemSpring spring(const PotdemTouch &, double r, double weight) const;

@@ -8,7 +8,6 @@
 #include "bond_potdem_truss.h"
 #include "lammps_compat.h"
 #include "laws/truss.h"
-#include "pair_potdem.h"
 #include "potdem_gather.h"
 
 #include "atom.h"
@@ -77,7 +76,7 @@ bool PotdemBondStore::intact() const
 
 PotdemBondStore::PotdemBondStore(LAMMPS *lmp, int narg, char **arg) :
     FixBondHistory(lmp, narg, arg), generation(0), ghost_cutoff(-1.0),
-    all_types(atom->nbondtypes + 1, 1), noverlap(0), exchanged(nullptr), exchanged_width(0)
+    all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
 }
@@ -87,7 +86,6 @@ PotdemBondStore::~PotdemBondStore()
 {
   if (!force) return;
   if (auto *const bond = BondPotdemTruss::find(lmp)) bond->lose_memory();
-  for (auto *const pair : PairPotdemBase::all(lmp)) pair->lose_memory();
 }
 
 int PotdemBondStore::setmask()
@@ -104,10 +102,6 @@ void PotdemBondStore::setup_post_neighbor()
 void PotdemBondStore::post_neighbor()
 {
   generation++;
-  noverlap = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++)
-      if (length(i, m) < 0.0) noverlap++;
 }
 
 void PotdemBondStore::min_post_neighbor()
@@ -215,6 +209,10 @@ bigint PotdemBondStore::measure_new_bonds()
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) {
       if (!is_new(i, m)) continue;
+      if (slot(i, atom->bond_atom[i][m]) != m)
+        error->one(FLERR,
+                   "Atoms {} and {} are bonded twice: a pair has one truss, make each bond once",
+                   atom->tag[i], atom->bond_atom[i][m]);
       const int k = atom->map(atom->bond_atom[i][m]);
       if (k < 0)
         error->one(
@@ -235,14 +233,8 @@ bigint PotdemBondStore::measure_new_bonds()
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBondStore::remove(int i, int m, double contact)
+void PotdemBondStore::remove(int i, int m)
 {
-  if (contact > 0.0) {
-    atom->bond_type[i][m] = -abs(atom->bond_type[i][m]);
-    update_atom_value(i, m, LENGTH, -contact);
-    noverlap++;
-    return;
-  }
   const int last = --atom->num_bond[i];
   atom->bond_type[i][m] = atom->bond_type[i][last];
   atom->bond_atom[i][m] = atom->bond_atom[i][last];
@@ -251,39 +243,8 @@ void PotdemBondStore::remove(int i, int m, double contact)
 }
 
 /* ----------------------------------------------------------------------
-   restart files store every bond as turned on, and special lists are built from all bonds
-------------------------------------------------------------------------- */
-
-void PotdemBondStore::turn_off_failed()
-{
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++) {
-      if (length(i, m) >= 0.0) continue;
-      atom->bond_type[i][m] = -abs(atom->bond_type[i][m]);
-      forget_special(i, atom->bond_atom[i][m]);
-    }
-}
-
-void PotdemBondStore::forget_special(int i, tagint partner)
-{
-  tagint *list = atom->special[i];
-  int *n = atom->nspecial[i];
-  tagint *found = std::find(list, list + n[0], partner);
-  if (found == list + n[0]) return;
-  std::copy(found + 1, list + n[2], found);
-  for (int k = 0; k < 3; k++) n[k]--;
-}
-
-double PotdemBondStore::failure_distance(int i, tagint partner) const
-{
-  for (int m = 0; m < atom->num_bond[i]; m++)
-    if (atom->bond_atom[i][m] == partner && length(i, m) < 0.0) return -length(i, m);
-  return 0.0;
-}
-
-/* ----------------------------------------------------------------------
-   LAMMPS's restart files keep the communication cutoff, but not whose it is. Files of older versions have one
-   word here, a flag of FixBondHistory, which is 0 or 1
+   LAMMPS's restart files keep the communication cutoff, but not whose it is. The files of versions that kept failed bonds
+   in LAMMPS's list have one word here, which is 0 or 1: with this version those bonds would be whole again
 ------------------------------------------------------------------------- */
 
 void PotdemBondStore::write_restart(FILE *fp)
@@ -298,7 +259,12 @@ void PotdemBondStore::write_restart(FILE *fp)
 void PotdemBondStore::restart(char *buf)
 {
   const auto state = reinterpret_cast<const double *>(buf);
-  if (state[0] == RESTART_VERSION) ghost_cutoff = state[1];
+  if (state[0] != RESTART_VERSION)
+    error->all(FLERR,
+               "The restart file was written by a version of POTDEM that kept failed bonds in it; "
+               "continue it with "
+               "that version, or begin anew");
+  ghost_cutoff = state[1];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -4,14 +4,14 @@
 ------------------------------------------------------------------------- */
 
 /* What a bond remembers: its reference length and its section, in LAMMPS's own FixBondHistory (which
-   carries them through exchange, sorting and restart), and the distance at which a bond failed whose
-   pair was within reach of its contact law. Created by potdem_bonds or bond_style potdem/truss, one per
-   simulation. */
+   carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's lists.
+   Created by potdem_bonds or bond_style potdem/truss, one per simulation. */
 
 #ifndef LMP_POTDEM_BOND_STORE_H
 #define LMP_POTDEM_BOND_STORE_H
 
 #include "fix_bond_history.h"
+#include "fix_potdem_contacts.h"
 
 #include <string>
 #include <vector>
@@ -20,8 +20,7 @@ namespace LAMMPS_NS {
 
 class PotdemBondStore : public FixBondHistory {
  public:
-  // columns. LENGTH > 0: reference length; 0: not measured yet; < 0: the bond has failed at the distance
-  // -LENGTH, within reach of the contact law. Such a bond stays in LAMMPS's list with its type negated ('turned off').
+  // columns. LENGTH: reference length; 0: not measured yet.
   // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
   // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again
   enum { LENGTH, SECTION, AREA, NDATA };
@@ -51,14 +50,11 @@ class PotdemBondStore : public FixBondHistory {
   bool has_new_bonds() const;            // on this rank
   double longest() const;    // largest reference length on any rank; of new bonds, the present one
   int slot(int i, tagint partner) const;    // bond of owned atom i with this partner, or -1
-  bigint measure_new_bonds();    // they get the present length; how many there were on this rank
-  void remove(int i, int slot,
-              double contact);    // bond of owned atom i; keep contact distance if > 0
-  void
-  turn_off_failed();    // after a restart or a new special list: failed bonds are no neighbours
+  bigint measure_new_bonds();      // they get the present length; how many there were on this rank
+  void remove(int i, int slot);    // bond of owned atom i
 
-  bool overlapping() const { return noverlap > 0; }
-  double failure_distance(int i, tagint partner) const;    // of a failed pair that is kept, else 0
+  // pairs that a crack cuts, until the pair styles have taken them
+  std::vector<PotdemNewContact> new_contacts;
 
   // per-particle values, `width` of them: from the owners to all copies, and summed up by the owners
   void allow_exchange(int width);    // before Comm::init
@@ -75,14 +71,12 @@ class PotdemBondStore : public FixBondHistory {
 
  private:
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
-  int noverlap;
   double *exchanged;
   int exchanged_width;
 
   double **values() const;
   bool intact() const;
   double longest_new_bond() const;
-  void forget_special(int i, tagint partner);
 };
 
 }    // namespace LAMMPS_NS

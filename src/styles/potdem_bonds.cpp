@@ -7,6 +7,7 @@
 
 #include "laws/truss.h"
 #include "potdem_bond_store.h"
+#include "potdem_gather.h"
 #include "potdem_input.h"
 
 #include "atom.h"
@@ -264,7 +265,7 @@ bool PotdemBonds::crosses_crack(const double *from, const double *to) const
 void PotdemBonds::make_room(const std::vector<NewBond> &bonds)
 {
   std::vector<int> need(atom->num_bond, atom->num_bond + atom->nlocal);
-  for (const auto &bond : bonds) need[bond.i]++;
+  for (const auto &bond : bonds) need[bond.i] += bond.length > 0.0;
   int most = need.empty() ? 0 : *std::max_element(need.begin(), need.end()), all;
   MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
   if (all > atom->bond_per_atom) grow_bonds_per_atom(all);
@@ -287,6 +288,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
                      store ? store->section(i, m) : 0.0, store ? store->area(i, m) : 0.0});
     }
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
+  const auto contacts = store ? store->new_contacts : std::vector<PotdemNewContact>();
   if (store) modify->delete_fix(store->id);
 
   atom->bond_per_atom = nbond;
@@ -294,6 +296,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
 
   store = PotdemBondStore::create(lmp);
   store->ghost_cutoff = ghost_cutoff;
+  store->new_contacts = contacts;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
   for (std::size_t k = 0; k < old.size(); k++) {
     const int i = old[k].i, m = atom->num_bond[i]++;
@@ -309,14 +312,27 @@ void PotdemBonds::add(const std::vector<NewBond> &bonds)
 {
   auto store = PotdemBondStore::ensure(lmp);
   for (const auto &bond : bonds) {
+    if (bond.length < 0.0) continue;
     const int m = atom->num_bond[bond.i]++;
-    atom->bond_type[bond.i][m] = bond.length > 0.0 ? btype : -btype;
+    atom->bond_type[bond.i][m] = btype;
     atom->bond_atom[bond.i][m] = bond.partner;
     store->store(bond.i, m, bond.length, bond.section);
   }
   Special special(lmp);
   special.build();
-  store->turn_off_failed();
+  announce_contacts(bonds);
+}
+
+// pairs that a crack cuts and that touch: their law of contact begins where they are
+void PotdemBonds::announce_contacts(const std::vector<NewBond> &bonds)
+{
+  std::vector<PotdemNewContact> mine;
+  for (const auto &bond : bonds)
+    if (bond.length < 0.0 && atom->tag[bond.i] < bond.partner)
+      mine.push_back({atom->tag[bond.i], bond.partner, -bond.length});
+  const auto all = potdem_gather(lmp, mine, "pairs that a crack cuts");
+  auto &known = PotdemBondStore::ensure(lmp)->new_contacts;
+  known.insert(known.end(), all.begin(), all.end());
 }
 
 /* ---------------------------------------------------------------------- */

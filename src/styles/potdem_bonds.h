@@ -25,7 +25,7 @@ class PotdemBonds : public Command {
   struct NewBond {
     int i;    // owned atom
     tagint partner;
-    double length;           // negative: no bond but a contact of this length (PotdemBondStore)
+    double length;           // negative: no bond but a contact of this length
     double section, area;    // area: as in PotdemBondStore
   };
 
@@ -46,6 +46,7 @@ class PotdemBonds : public Command {
   double shortest_distance(double cutoff);
   bool may_bond(int i, int j) const;
   bool crosses_crack(const double *from, const double *to) const;
+  void announce_contacts(const std::vector<NewBond> &);
   void make_room(const std::vector<NewBond> &);
   void grow_bonds_per_atom(int);
   void add(const std::vector<NewBond> &);

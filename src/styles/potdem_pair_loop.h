@@ -8,8 +8,8 @@
 #ifndef LMP_POTDEM_PAIR_LOOP_H
 #define LMP_POTDEM_PAIR_LOOP_H
 
+#include "fix_potdem_contacts.h"
 #include "pair_potdem.h"
-#include "potdem_bond_store.h"
 #include "potdem_law_input.h"
 
 #include "atom.h"
@@ -137,7 +137,7 @@ void PairPotdem<Law>::loop(Span &span)
   const double *const nearest = alarm.data();
   const int *const type = atom->type;
   const int nlocal = atom->nlocal, newton = force->newton_pair;
-  const bool moved = bond_store && bond_store->overlapping();
+  const bool remembering = contacts && contacts->any();
   const PotdemMotion state = motion();
 
   for (int ii = span.from; ii < span.to; ii++) {
@@ -152,10 +152,14 @@ void PairPotdem<Law>::loop(Span &span)
       const double *const del = touch.del;
       const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
       const double reach = laws[pair].reach(ri + rj);
-      if (r2 >= reach * reach || weight == 0.0) continue;
+      if (r2 >= reach * reach || weight == 0.0) {
+        if (remembering) contacts->forget(i, jj);    // parted: the next contact is a new one
+        continue;
+      }
 
       const double r = touch.r = sqrt(r2), near = nearest[pair] * (ri + rj);
-      const auto partners = moved ? pairing(i, j) : POTDEM::Pairing{ri, rj, ri + rj};
+      const auto partners = remembering ? pairing(i, j, contacts->distance(i, jj))
+                                        : POTDEM::Pairing{ri, rj, ri + rj};
       if (!(r2 > near * near)) {    // true for NaN as well
         if (!(r > kernels[pair].core(partners))) {
           span.i = i;

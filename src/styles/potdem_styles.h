@@ -21,6 +21,7 @@ FixStyle(potdem/failure,FixPotdemFailure);
 FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,PotdemBondStore);
+FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
 FixStyle(POTDEM_LEDGER,PotdemLedger);
 FixStyle(POTDEM_REFERENCE,FixPotdemReference);
 FixStyle(POTDEM_REFRESH,FixPotdemRefresh);
@@ -41,6 +42,7 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "compute_potdem_energy.h"
 #include "compute_potdem_strain_atom.h"
 #include "compute_potdem_timestep.h"
+#include "fix_potdem_contacts.h"
 #include "fix_potdem_damping.h"
 #include "fix_potdem_failure.h"
 #include "fix_potdem_reference.h"
