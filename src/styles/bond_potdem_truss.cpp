@@ -297,6 +297,12 @@ void BondPotdemTruss::pack()
   }
 }
 
+// in bond_style hybrid the list may hold those of other styles
+bool BondPotdemTruss::is_ours(int type) const
+{
+  return type > 0 && setflag[type];
+}
+
 // LAMMPS lists the bonds by owned atom already; within one atom the ghosts go last
 void BondPotdemTruss::order_bonds()
 {
@@ -305,7 +311,7 @@ void BondPotdemTruss::order_bonds()
   bonds.first.assign(nlocal + 1, 0);
   bonds.ghosts.assign(nlocal, 0);
   for (int k = 0; k < nlist; k++) {
-    if (list[k][2] <= 0) continue;
+    if (!is_ours(list[k][2])) continue;
     bonds.first[list[k][0] + 1]++;
     if (list[k][1] < nlocal) bonds.ghosts[list[k][0]]++;
   }
@@ -319,7 +325,7 @@ void BondPotdemTruss::order_bonds()
   bonds.listed.resize(n);
   std::vector<int> owned(bonds.first.begin(), bonds.first.end() - 1), ghost = bonds.ghosts;
   for (int k = 0; k < nlist; k++) {
-    if (list[k][2] <= 0) continue;
+    if (!is_ours(list[k][2])) continue;
     const int i = list[k][0];
     const int at = list[k][1] < nlocal ? owned[i]++ : ghost[i]++;
     bonds.partner[at] = list[k][1];

@@ -126,6 +126,7 @@ class BondPotdemTruss : public Bond {
   void find_needs();
   void set_communication();
   void pack();
+  bool is_ours(int type) const;
   void order_bonds();
   void check_reach(int i, int j, double re) const;
   double section(int type, int i, int slot) const;

@@ -8,6 +8,7 @@
 #include "pair_potdem.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "comm.h"
 #include "error.h"
 #include "modify.h"
@@ -37,7 +38,7 @@ std::string FixPotdemContacts::reserve(LAMMPS *lmp)
     const auto *const kept = dynamic_cast<FixPotdemContacts *>(modify->get_fix_by_id(id));
     if (kept && !kept->pair) return id;
     if (kept || modify->get_fix_by_id(place_of(id))) continue;
-    modify->add_fix(place_of(id) + " all DUMMY");
+    if (lmp->atom->avec->bonds_allow) modify->add_fix(place_of(id) + " all DUMMY");
     return id;
   }
 }

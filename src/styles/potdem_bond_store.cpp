@@ -233,13 +233,17 @@ bigint PotdemBondStore::measure_new_bonds()
 
 /* ---------------------------------------------------------------------- */
 
+// as LAMMPS's own commands do it: the last bond takes the place, in every memory that there is of bonds
 void PotdemBondStore::remove(int i, int m)
 {
   const int last = --atom->num_bond[i];
   atom->bond_type[i][m] = atom->bond_type[i][last];
   atom->bond_atom[i][m] = atom->bond_atom[i][last];
-  shift_history(i, m, last);
-  delete_history(i, last);
+  for (const auto &fix : modify->get_fix_by_style("BOND_HISTORY")) {
+    auto *const history = dynamic_cast<FixBondHistory *>(fix);
+    history->shift_history(i, m, last);
+    history->delete_history(i, last);
+  }
 }
 
 /* ----------------------------------------------------------------------

@@ -91,3 +91,44 @@ def test_hybrid_restart(run_lammps, tmp_path):
     again, _ = end(run_lammps, tmp_path, "read_restart half.restart\n" + coeffs + settings +
                    scripts.write_dump("end.dump", "x y z vx vy vz fx fy fz"))
     assert np.abs(again - whole).max() < 1e-12 * np.abs(whole).max()
+
+
+# --- bonds ------------------------------------------------------------------------------------------------------------
+
+SPRING, STRETCH = 200.0, 0.2
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_trusses_that_fail_beside_springs_of_bpm(run_lammps, nprocs):
+    """A-B and C-D are trusses, B-C is a spring of BPM, all held: when the trusses fail, the spring's own memory (its length)
+    stays with it, at once, after a rebuild of lists and in the next run"""
+    places = [0.0, 1.0, 4.0, 5.0]
+    script = scripts.box(20, newton="on off", room=4, bond_types=2) + scripts.particles([(x - 2.5, 0.1, 0.1, 1.0) for x in places])
+    script += f"""set group all mass 1
+comm_modify vel yes cutoff 8
+potdem_bonds all 1 1.1
+bond_style hybrid potdem/truss bpm/spring break no smooth no
+bond_coeff 1 potdem/truss 1000 area factor 0.5
+bond_coeff 2 bpm/spring {SPRING} 5.0 0.0
+pair_style potdem/truss
+pair_coeff * * 1000 0.4
+create_bonds single/bond 2 2 3
+fix fail all potdem/failure 1 tension 100
+fix hold all nve/noforce
+timestep 1e-6
+thermo_style custom step bonds f_fail
+run 2
+set atom 3 x {1.5 + STRETCH}
+set atom 4 x {2.5 + STRETCH}
+run 0
+""" + scripts.result("f_fail", "fx[1]", "fx[3]") + f"""
+set atom 1 x -3.0
+set atom 4 x {3.1 + STRETCH}
+run 3
+""" + scripts.result("f_fail", "fx[1]", "fx[3]")
+    for run in ("run 0\n", "neigh_modify every 1 delay 0 check no\nrun 5\n"):
+        script += run + scripts.result("f_fail", "fx[1]", "fx[3]")
+    found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    assert found[:, 0].tolist() == [0, 2, 2, 2]
+    assert found[1:, 1].tolist() == [0, 0, 0]
+    assert found[:, 2] == pytest.approx(4 * [-SPRING * STRETCH], rel=1e-9)
