@@ -787,16 +787,21 @@ void BondPotdemTruss::adopt(int type)
 
 void BondPotdemTruss::write_restart(FILE *fp)
 {
-  fwrite(&coeffs[1], sizeof(Coeff), atom->nbondtypes, fp);
+  for (int type = 1; type <= atom->nbondtypes; type++)
+    potdem_write_text(fp, setflag[type] ? coeff_line(type) : "");
 }
 
 void BondPotdemTruss::read_restart(FILE *fp)
 {
   allocate();
-  const int n = atom->nbondtypes;
-  if (comm->me == 0) utils::sfread(FLERR, &coeffs[1], sizeof(Coeff), n, fp, nullptr, error);
-  MPI_Bcast(&coeffs[1], n * sizeof(Coeff), MPI_BYTE, 0, world);
-  std::fill(setflag + 1, setflag + n + 1, 1);
+  const std::string who = "bond_style potdem/truss, coefficients in a restart file";
+  for (int type = 1; type <= atom->nbondtypes; type++) {
+    PotdemWords words(potdem_read_text(lmp, fp, who));
+    setflag[type] = words.narg() > 0;
+    if (!setflag[type]) continue;
+    PotdemInput input(lmp, who, words.narg(), words.arg());
+    coeffs[type] = read(input);
+  }
 }
 
 // as bond_coeff takes it

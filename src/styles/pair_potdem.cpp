@@ -674,60 +674,47 @@ void PairPotdemBase::adopt(int i, int j)
 
 /* ---------------------------------------------------------------------- */
 
-template <class Action> void PairPotdemBase::for_each_setting(Action action)
-{
-  action(&rotation, sizeof(int));
-  action(&offset_flag, sizeof(int));
-  action(&mix_flag, sizeof(int));
-  if (extra_setting()) action(extra_setting(), sizeof(int));
-}
-
-template <class Action> void PairPotdemBase::for_each_coeff(Action action)
-{
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      action(&setflag[i][j], sizeof(int));
-      action(&friction[at(i, j)], sizeof(POTDEM::Friction));
-      action(coeff_data(at(i, j)), coeff_size());
-      friction[at(j, i)] = friction[at(i, j)];
-    }
-}
-
 void PairPotdemBase::write_restart_settings(FILE *fp)
 {
-  for_each_setting([fp](void *data, std::size_t size) {
-    fwrite(data, size, 1, fp);
-  });
+  potdem_write_text(fp,
+                    fmt::format("shift {} mix {} rotation {}{}", offset_flag, mix_flag,
+                                rotation ? "yes" : "no", setting_text()));
 }
 
+// what pair_modify said comes first
 void PairPotdemBase::read_restart_settings(FILE *fp)
 {
-  for_each_setting([this, fp](void *data, std::size_t size) {
-    read_item(data, size, fp);
-  });
+  auto words = utils::split_words(potdem_read_text(lmp, fp, fmt::format("pair_style {}", name())));
+  offset_flag = utils::inumeric(FLERR, words.at(1), true, lmp);
+  mix_flag = utils::inumeric(FLERR, words.at(3), true, lmp);
+  words.erase(words.begin(), words.begin() + 4);
+  PotdemWords rest(words);
+  settings(rest.narg(), rest.arg());
 }
 
+// a line for each pair of types, empty where it was not given
 void PairPotdemBase::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
-  for_each_coeff([fp](void *data, std::size_t size) {
-    fwrite(data, size, 1, fp);
-  });
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++)
+      potdem_write_text(fp, setflag[i][j] ? coeff_line(at(i, j)) : "");
 }
 
 void PairPotdemBase::read_restart(FILE *fp)
 {
   read_restart_settings(fp);
   allocate();
-  for_each_coeff([this, fp](void *data, std::size_t size) {
-    read_item(data, size, fp);
-  });
-}
-
-void PairPotdemBase::read_item(void *data, std::size_t size, FILE *fp)
-{
-  if (comm->me == 0) utils::sfread(FLERR, data, size, 1, fp, nullptr, error);
-  MPI_Bcast(data, size, MPI_BYTE, 0, world);
+  const auto who = fmt::format("pair_style {}, coefficients in a restart file", name());
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      PotdemWords words(potdem_read_text(lmp, fp, who));
+      setflag[i][j] = words.narg() > 0;
+      if (!setflag[i][j]) continue;
+      PotdemInput input(lmp, who, words.narg(), words.arg());
+      reread(at(i, j), input);
+      friction[at(j, i)] = friction[at(i, j)];
+    }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -737,7 +724,7 @@ std::string PairPotdemBase::coeff_line(int pair) const
 {
   const auto &slide = friction[pair];
   std::string line = coeff_text(pair);
-  if (slide.mu != 0.0)
+  if (slide.mu != 0.0 || slide.eta != 0.0 || slide.automatic)
     line += fmt::format(" friction {:.17g} {}", slide.mu,
                         slide.automatic ? "auto" : fmt::format("{:.17g}", slide.eta));
   return line;

@@ -128,8 +128,11 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   virtual const char *name() const = 0;
   virtual bool read_setting(PotdemInput &) { return false; }
   virtual const char *setting_names() const { return "rotation"; }
-  virtual int *extra_setting() { return nullptr; }    // one flag of the style, for restart files
-  virtual void work(Span &) = 0;                      // the forces of a part of the list
+  virtual std::string setting_text() const
+  {
+    return "";
+  }                                 // as pair_style takes it, after a blank
+  virtual void work(Span &) = 0;    // the forces of a part of the list
   virtual void mix(int i, int j) = 0;
   virtual std::string coeff_text(int pair) const = 0;    // as pair_coeff takes it, without friction
   virtual void reread(int pair, PotdemInput &) = 0;      // coefficients with friction
@@ -139,8 +142,6 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   virtual double reach(int i, int j, double dbar) const = 0;
   virtual double core(int pair, const POTDEM::Pairing &) const = 0;
   virtual POTDEM::Evaluation evaluate(int pair, double r, const POTDEM::Pairing &) const = 0;
-  virtual void *coeff_data(int pair) = 0;
-  virtual std::size_t coeff_size() const = 0;
 
  private:
   double watched_step;    // for which the alarms are set
@@ -172,9 +173,6 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   double *coeff_named(int pair, const std::string &name);
   void publish();
   void adopt(int i, int j);
-  template <class Action> void for_each_setting(Action);
-  template <class Action> void for_each_coeff(Action);
-  void read_item(void *data, std::size_t size, FILE *);
 };
 
 template <class Law> class PairPotdem : public PairPotdemBase {
@@ -212,8 +210,6 @@ template <class Law> class PairPotdem : public PairPotdemBase {
     if constexpr (Law::rated) return kernels[pair].with_rate(elastic, r, partners, rate);
     return elastic;
   }
-  void *coeff_data(int pair) override { return &laws[pair]; }
-  std::size_t coeff_size() const override { return sizeof(Law); }
 
  private:
   template <bool EV> void choose(Span &);

@@ -19,7 +19,7 @@ class PairPotdemHertz : public PairPotdem<POTDEM::Hertz> {
   const char *name() const override { return "potdem/hertz"; }
   bool read_setting(PotdemInput &) override;
   const char *setting_names() const override { return "rotation or attract"; }
-  int *extra_setting() override { return &attract; }
+  std::string setting_text() const override { return attract ? " attract yes" : ""; }
   void prepare(POTDEM::Hertz &law) const override { law.attract = attract; }
   void mix(int i, int j) override;
 

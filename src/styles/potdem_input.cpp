@@ -64,6 +64,46 @@ void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &re
 
 /* ---------------------------------------------------------------------- */
 
+// "PTDM", the version, the length, the text
+struct TextHead {
+  int mark, version, length;
+};
+static constexpr int TEXT_MARK = 0x4d445450, TEXT_VERSION = 1;
+
+void LAMMPS_NS::potdem_write_text(FILE *fp, const std::string &text)
+{
+  const TextHead head = {TEXT_MARK, TEXT_VERSION, static_cast<int>(text.size())};
+  fwrite(&head, sizeof(head), 1, fp);
+  fwrite(text.data(), 1, text.size(), fp);
+}
+
+std::string LAMMPS_NS::potdem_read_text(LAMMPS *lmp, FILE *fp, const std::string &who)
+{
+  TextHead head{};
+  const bool reads = lmp->comm->me == 0;
+  if (reads) utils::sfread(FLERR, &head, sizeof(head), 1, fp, nullptr, lmp->error);
+  MPI_Bcast(&head, sizeof(head), MPI_BYTE, 0, lmp->world);
+  if (head.mark != TEXT_MARK)
+    lmp->error->all(FLERR,
+                    "{}: the restart file was written by a version of POTDEM that did not keep its "
+                    "coefficients "
+                    "as text yet; read it with that version, or begin anew",
+                    who);
+  if (head.version > TEXT_VERSION)
+    lmp->error->all(
+        FLERR,
+        "{}: the restart file was written by a newer version of POTDEM (form {}, this one reads "
+        "up to {}); read it with that version",
+        who, head.version, TEXT_VERSION);
+  std::string text(head.length, ' ');
+  if (reads && head.length > 0)
+    utils::sfread(FLERR, &text[0], 1, head.length, fp, nullptr, lmp->error);
+  MPI_Bcast(&text[0], head.length, MPI_CHAR, 0, lmp->world);
+  return text;
+}
+
+/* ---------------------------------------------------------------------- */
+
 PotdemWords::PotdemWords(const std::string &text) : PotdemWords(utils::split_words(text)) {}
 
 PotdemWords::PotdemWords(std::vector<std::string> _words) : words(std::move(_words))

@@ -12,6 +12,7 @@
 
 #include "pointers.h"
 
+#include <cstdio>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -33,6 +34,11 @@ void potdem_warn_of_rolling_bodies(LAMMPS *lmp, const std::string &who);
 // own bookkeeping (upper case) and the styles that `may_follow` (a pattern) names
 void potdem_require_last(LAMMPS *lmp, class Fix *fix, const std::string &reason,
                          const std::string &may_follow);
+
+// what a restart file keeps of a style: a text as the style's own commands take it, so that a file from before a
+// keyword reads, with a mark and the version of this form. The text comes back on all ranks; who: the style, for errors
+void potdem_write_text(FILE *, const std::string &text);
+std::string potdem_read_text(LAMMPS *lmp, FILE *, const std::string &who);
 
 // a text as the arguments of a command
 class PotdemWords {
