@@ -40,6 +40,11 @@ def particles(rows, density=1.0):
     return "\n".join(lines) + "\n"
 
 
+def ball(diameter):
+    """a molecule file of one sphere"""
+    return f"# one sphere\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 {diameter}\n"
+
+
 def crystal(lattice="sc", spacing=1.0, region="box", diameter=None, density=1.0):
     """a lattice with its first site half a spacing from the origin, so that no site lies on a cell's face;
     spacing is the edge of the cube"""

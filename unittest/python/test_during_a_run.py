@@ -101,26 +101,7 @@ write_dump all custom end.dump id x y z radius c_cn
 
 
 INSERTED = 4 / 3 * 1e6 / (2 * (1 - 0.25**2)) * math.sqrt(0.005) * 0.005**1.5    # Hertz, overlap of half a radius
-BALL = """# one sphere of 2 cm
-
-1 atoms
-
-Coords
-
-1 0 0 0
-
-Types
-
-1 1
-
-Diameters
-
-1 0.02
-
-Masses
-
-1 0.008
-"""
+BALL = scripts.ball(0.02)
 FIRST = {"none": "", "small": scripts.particles([(0, 0, 0.09, 0.004)], 1000),
          "large": scripts.particles([(0, 0, 0.09, 0.02)], 1000)}
 

@@ -402,26 +402,7 @@ EVENTS = {
 
 # --- the test ----------------------------------------------------------------------------------------------
 
-BALL_FILE = """# one sphere
-
-1 atoms
-
-Coords
-
-1 0 0 0
-
-Types
-
-1 1
-
-Diameters
-
-1 1
-
-Masses
-
-1 0.5
-"""
+BALL_FILE = scripts.ball(1)
 
 
 def cube_file():
