@@ -6,8 +6,7 @@ the particles later. Each event below is a piece of script that makes one thing 
 event is one of a run, the forces compared are those of its last step, with no set-up in between. (The restart file is
 written after that: for one written in a run LAMMPS rebuilds its neighbour lists at that step.)
 
-Not here, because the next issue is about them: data files, failed pairs whose special list is built anew, and bonds
-made anew between particles that failed while they touched.
+(Data files are in test_dead_bonds.py: they keep neither reference lengths nor what contacts remember.)
 """
 
 import itertools
@@ -370,7 +369,17 @@ EVENTS = {
     "bonds fail within reach of lj": Event(
         torn(0.7).replace("potdem/truss\npair_coeff * * 1000 0.5", "potdem/lj\npair_coeff * * 300 0.5 3 0.2"), BREAKING,
         "run 30\n", every(at_the_last_step("f_fail"), changed("E_vdwl"))),
+    "bonds fail that overlap, sorted at every rebuild": Event(
+        "atom_modify sort 1 1.5\n".join(["", torn(1.2, skin=0.05)]), BREAKING, "run 30\n",
+        every(at_the_last_step("f_fail"), more("E_vdwl"))),
+    "bonds fail that overlap, balanced": Event(
+        torn(1.2, skin=0.05), BREAKING, "fix bal all balance 5 1.0 shift xyz 20 1.0\nrun 33\n",
+        every(more("f_fail"), more("E_vdwl"))),
+    "bonds fail that overlap, then a second run": Event(torn(1.2), BREAKING, "run 30\nrun 4\n",
+                                                        every(more("f_fail"), more("E_vdwl"))),
     # bonding anew
+    "potdem_bonds where bonds failed that overlap": Event(
+        torn(1.2), BREAKING, "run 30\npotdem_bonds all 1 1.7\nrun 5\n", bonded_anew),
     "potdem_bonds on a damaged body": Event(
         torn(0.7), BREAKING, "run 30\npotdem_bonds all 1 1.7\nrun 5\n", bonded_anew),
     "create_bonds on a damaged body": Event(
