@@ -43,7 +43,10 @@ function(potdem_compile_settings target)
   endif()
 endfunction()
 
+# core knows nothing of LAMMPS: unittest compiles it alone
+file(GLOB_RECURSE POTDEM_CORE_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/core/*.cpp)
 file(GLOB POTDEM_SOURCES CONFIGURE_DEPENDS ${POTDEM_STYLES_DIR}/*.cpp)
+list(APPEND POTDEM_SOURCES ${POTDEM_CORE_SOURCES})
 add_library(potdem OBJECT ${POTDEM_SOURCES})
 set_target_properties(potdem PROPERTIES POSITION_INDEPENDENT_CODE ON)
 potdem_compile_settings(potdem)

@@ -8,7 +8,7 @@
 #include "fix_potdem_failure.h"
 #include "fix_potdem_refresh.h"
 #include "lammps_compat.h"
-#include "laws/lattice_area.h"
+#include "core/areas/lattice_area.h"
 #include "laws/truss.h"
 #include "potdem_body_area.h"
 #include "potdem_bond_store.h"
@@ -172,7 +172,7 @@ void BondPotdemTruss::init_style()
   reinit();
   for (int type = 1; type <= atom->nbondtypes; type++)
     if (setflag[type] && coeffs[type].mode == BODY)
-      bond_store->allow_exchange(POTDEM::BodyArea::WIDEST);
+      bond_store->allow_exchange(POTDEM::BodyHalo::WIDEST);
   set_communication();
 }
 

@@ -55,23 +55,24 @@ void PotdemBodyArea::solve(int type, double density)
   MPI_Allreduce(counts, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all[0] == 0) return;
   if (density > 0.0) give_volumes(density);
-  switch (body.solve()) {
-    case POTDEM::BodyArea::NO_INSIDE:
+  const auto found = POTDEM::find_body_areas(body);
+  switch (found.outcome) {
+    case POTDEM::BodyAreaReport::NO_INSIDE:
       error->all(
           FLERR,
           "bond_style potdem/truss: area body for bond type {}: no particle has neighbours on "
           "all sides, the body is too thin or r_infl too short; use area factor",
           type);
-    case POTDEM::BodyArea::MECHANISM:
+    case POTDEM::BodyAreaReport::MECHANISM:
       error->all(FLERR,
                  "bond_style potdem/truss: area body for bond type {}: the bonds are too few to be "
                  "stiff in every direction; increase r_infl in potdem_bonds",
                  type);
-    case POTDEM::BodyArea::DONE:
+    case POTDEM::BodyAreaReport::DONE:
       break;
   }
   keep();
-  report(type, all[1], platform::walltime() - began);
+  report(found, type, all[1], platform::walltime() - began);
 }
 
 /* ----------------------------------------------------------------------
@@ -92,7 +93,7 @@ bool PotdemBodyArea::collect(int type)
     if (entry[2] != type) continue;
     const int slot = bond_store->slot(i, atom->tag[j]);
     if (bond_store->area(i, slot) > 0.0) continue;
-    POTDEM::BodyArea::Bond bond{};
+    POTDEM::BondedBody::Bond bond{};
     bond.low = atom->tag[i] < atom->tag[j] ? i : j;
     bond.high = bond.low == i ? j : i;
     bond.length = bond_store->length(i, slot);
@@ -124,24 +125,24 @@ void PotdemBodyArea::keep() const
     }
 }
 
-void PotdemBodyArea::report(int type, bigint count, double seconds) const
+void PotdemBodyArea::report(const POTDEM::BodyAreaReport &found, int type, bigint count,
+                            double seconds) const
 {
-  double least = body.bonds.empty() ? HUGE_VAL : body.report.least, all_least;
-  double most = body.bonds.empty() ? 0.0 : body.report.most, all_most;
+  double least = body.bonds.empty() ? HUGE_VAL : found.least, all_least;
+  double most = body.bonds.empty() ? 0.0 : found.most, all_most;
   MPI_Allreduce(&least, &all_least, 1, MPI_DOUBLE, MPI_MIN, world);
   MPI_Allreduce(&most, &all_most, 1, MPI_DOUBLE, MPI_MAX, world);
   if (comm->me != 0) return;
-  if (body.report.misfit > UNEVEN)
+  if (found.misfit > UNEVEN)
     error->warning(FLERR,
                    "area body for bond type {}: these bonds cannot make an isotropic solid of this "
                    "body, its stiffness depends on the direction (misfit {:.2g}); increase r_infl",
-                   type, body.report.misfit);
+                   type, found.misfit);
   if (!update->setupflag) return;    // bodies that come during a run may be many
   utils::logmesg(lmp,
                  "bond_style potdem/truss: bond type {}: area body of {} bonds, volume {:.6g}, "
                  "areas {:.3g} to {:.3g} of the uniform one (a = {:.4g}), misfit inside {:.2g}, "
                  "{} iterations, {:.2f} s\n",
-                 type, count, body.report.volume, all_least, all_most,
-                 body.report.start / (0.25 * M_PI), body.report.misfit, body.report.iterations,
-                 seconds);
+                 type, count, found.volume, all_least, all_most, found.factor / (0.25 * M_PI),
+                 found.misfit, found.iterations, seconds);
 }

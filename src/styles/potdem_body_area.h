@@ -3,13 +3,13 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* `area body`: hands LAMMPS's particles and the new bonds of one type to laws/body_area.h and puts the
-   areas into the bond store. */
+/* `area body`: hands LAMMPS's particles and the new bonds of one type to core/areas/body_area.h and puts
+   the areas into the bond store. */
 
 #ifndef LMP_POTDEM_BODY_AREA_H
 #define LMP_POTDEM_BODY_AREA_H
 
-#include "laws/body_area.h"
+#include "core/areas/body_area.h"
 
 #include "pointers.h"
 
@@ -33,12 +33,12 @@ class PotdemBodyArea : protected Pointers {
 
   class PotdemBondStore *bond_store;
   Halo halo;
-  POTDEM::BodyArea body;
+  POTDEM::BondedBody body;
 
   bool collect(int type);
   void give_volumes(double density);
   void keep() const;
-  void report(int type, bigint count, double seconds) const;
+  void report(const POTDEM::BodyAreaReport &, int type, bigint count, double seconds) const;
 };
 
 }    // namespace LAMMPS_NS

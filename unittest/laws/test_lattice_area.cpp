@@ -1,4 +1,4 @@
-#include "laws/lattice_area.h"
+#include "core/areas/lattice_area.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "laws/mandel.h"
+#include "core/areas/mandel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,9 @@
 /* Symmetric tensors as vectors and matrices (Mandel's notation): components xx yy zz yz xz xy, the last
    three times sqrt 2, so that a double contraction is a scalar product. And the moments of bond directions,
-   kept by their distinct components only: third order 10, fourth order 15. */
+   kept by their distinct components only: third order 10, fourth order 15.
+
+   Vectors and matrices of any unit; symmetric ones are given in full. Nothing here is an error by itself: cholesky() says
+   that a matrix is not positive, all else is defined for every finite argument. */
 
 #ifndef POTDEM_MANDEL_H
 #define POTDEM_MANDEL_H
@@ -55,6 +58,22 @@ template <class M> M product(const M &a, const M &b)
   return c;
 }
 
+inline Vector6 product(const Matrix6 &a, const Vector6 &b)
+{
+  Vector6 c;
+  for (int k = 0; k < 6; k++) c[k] = dot(a[k], b);
+  return c;
+}
+
+// sum a_ij b_ji
+template <class M> double trace_of_product(const M &a, const M &b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); i++)
+    for (std::size_t j = 0; j < a.size(); j++) sum += a[i][j] * b[j][i];
+  return sum;
+}
+
 template <class M> M transposed(const M &a)
 {
   M t;
@@ -68,6 +87,13 @@ template <class M, class U, class V> void add_dyad(M &a, double weight, const U 
 {
   for (std::size_t i = 0; i < u.size(); i++)
     for (std::size_t j = 0; j < v.size(); j++) a[i][j] += weight * u[i] * v[j];
+}
+
+// a += weight * b
+inline void add(Matrix6 &a, double weight, const Matrix6 &b)
+{
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) a[i][j] += weight * b[i][j];
 }
 
 // isotropic stiffness of Young's modulus 1; compliance is its inverse

@@ -1,0 +1,27 @@
+/* The strains in which a particle's energy and balance count: K_i = sum trust^2 eps (x) eps over the strains of the stress states
+   that are admissible at it, orthonormal in energy (modulus 1). Inside the body these are all states, and K_i is the compliance.
+   States with a traction on a blocked direction drop out. Below a surface they count less, the more so the nearer it is:
+   they cannot be large there. By how much is told by the second moment of the bonds, which are cut off there, and by the
+   blocked directions of all particles nearby. */
+
+#ifndef POTDEM_AREAS_ADMISSIBLE_H
+#define POTDEM_AREAS_ADMISSIBLE_H
+
+#include "surfaces.h"
+#include "uniform_areas.h"
+
+namespace POTDEM {
+
+// K of the owned particles, symmetric, >= 0, dimensionless; 0 where there are no bonds. Collective
+std::vector<Matrix6> admissible_strains(const BondedBody &, const Surfaces &, const UniformAreas &);
+
+struct StressState {
+  double trust;    // 0 to 1
+  Vector6 stress;
+};
+// K of independent states; the most trusted come first in making them orthonormal
+Matrix6 energy_norm(std::vector<StressState> states);
+
+}    // namespace POTDEM
+
+#endif

@@ -1,0 +1,64 @@
+#include "cells.h"
+
+#include "constants.h"
+
+using namespace POTDEM;
+
+std::vector<Vector3> POTDEM::spiral_directions(int n)
+{
+  std::vector<Vector3> directions(n);
+  for (int k = 0; k < n; k++) {
+    const double z = 1.0 - (2.0 * k + 1.0) / n, s = std::sqrt(1.0 - z * z);
+    directions[k] = {s * std::cos(areas::GOLDEN_ANGLE * k), s * std::sin(areas::GOLDEN_ANGLE * k),
+                     z};
+  }
+  return directions;
+}
+
+Cells::Cells(const BondedBody &bonded) :
+    body(bonded), scale(diameter_scale()),
+    largest_diameter(
+        body.diameter.empty() ? 0.0 : *std::max_element(body.diameter.begin(), body.diameter.end()))
+{
+}
+
+// spacing over diameter: mean over one of the shortest bonds of each particle, so that only the ratios of the diameters matter
+double Cells::diameter_scale() const
+{
+  double total[2] = {0.0, 0.0};
+  for (int i = 0; i < body.nowned; i++) {
+    const auto neighbours = body.neighbours(i);
+    if (neighbours.size() <= areas::SHORTEST) continue;
+    const auto &chosen = neighbours[areas::SHORTEST];
+    total[0] +=
+        2.0 * body.bonds[chosen.bond].length / (body.diameter[i] + body.diameter[chosen.particle]);
+    total[1] += 1.0;
+  }
+  body.halo.sum(total, 2);
+  return total[1] > 0.0 ? total[0] / total[1] : 1.0;
+}
+
+double Cells::reach(int i, const Vector3 &direction, double enough) const
+{
+  const double di = diameter(i), largest = scale * largest_diameter;
+  double farthest = HUGE_VAL;
+  for (const auto &to : body.neighbours(i)) {
+    if (farthest < enough) break;
+    const auto &bond = body.bonds[to.bond];
+    auto plane = [&bond, di](double d) {
+      return 0.5 * bond.length + 0.125 * (di * di - d * d) / bond.length;
+    };
+    if (plane(largest) > farthest) break;
+    const double along = to.sign * dot(direction, bond.n);
+    if (along > 0.0)
+      farthest = std::min(farthest, std::max(plane(diameter(to.particle)), 0.0) / along);
+  }
+  return farthest;
+}
+
+double Cells::volume(int i, const std::vector<Vector3> &rays) const
+{
+  return volume_by_rays(rays, [this, i](const Vector3 &ray) {
+    return reach(i, ray);
+  });
+}
