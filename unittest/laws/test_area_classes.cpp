@@ -1,0 +1,303 @@
+// the classes under `area body`, each alone, against values obtained otherwise
+
+#include "blocks.h"
+
+#include "core/areas/admissible.h"
+#include "core/areas/constants.h"
+#include "core/areas/surface_layer.h"
+#include "core/areas/targets.h"
+#include "core/areas/volumes.h"
+
+#include <gtest/gtest.h>
+
+using namespace POTDEM;
+
+namespace {
+
+// one particle at the origin and those at the given places, bonded to it
+BondedBody star(BodyHalo &halo, const std::vector<Vector3> &places)
+{
+  BondedBody body(halo);
+  body.nowned = body.nall = static_cast<int>(places.size()) + 1;
+  body.diameter.assign(body.nall, 1.0);
+  for (int i = 0; i < body.nall; i++) body.id.push_back(i + 1);
+  for (std::size_t k = 0; k < places.size(); k++) {
+    const double r = std::sqrt(dot(places[k], places[k]));
+    Vector3 n = places[k];
+    for (auto &component : n) component /= r;
+    body.bonds.push_back({0, static_cast<int>(k) + 1, n, r, true, 0.0});
+  }
+  body.list_neighbours();
+  return body;
+}
+
+std::vector<Vector3> shell(const std::vector<Vector3> &some)
+{
+  std::vector<Vector3> all;
+  for (const auto &at : some)
+    for (int sign = 0; sign < 8; sign++) {
+      Vector3 turned = at;
+      for (int k = 0; k < 3; k++)
+        if (sign >> k & 1) turned[k] = -turned[k];
+      if (std::find(all.begin(), all.end(), turned) == all.end()) all.push_back(turned);
+    }
+  return all;
+}
+
+struct Solid {
+  BodyHalo alone;
+  BondedBody body;
+  explicit Solid(const Block &block) : body(alone)
+  {
+    fill(body, block);
+    body.list_neighbours();
+  }
+  int at(const Block &block, int x, int y, int z) const
+  {
+    return x + block.nx * (y + block.ny * z);
+  }
+};
+
+TEST(BondedBody, NeighboursAreListedFromBothEndsTheNearestFirst)
+{
+  BodyHalo alone;
+  const BondedBody body = star(alone, {{2.0, 0.0, 0.0}, {0.0, -1.0, 0.0}});
+  const auto of = body.neighbours(0);
+  ASSERT_EQ(of.size(), 2);
+  EXPECT_EQ(of[0].particle, 2);
+  EXPECT_EQ(of[1].particle, 1);
+  EXPECT_EQ(body.separation(of[0]), (Vector3{0.0, -1.0, 0.0}));
+  EXPECT_EQ(body.separation(body.neighbours(2)[0]), (Vector3{0.0, 1.0, 0.0}));
+  EXPECT_TRUE(body.bonded(1));
+}
+
+TEST(Cells, DirectionsAreSpreadEvenly)
+{
+  const auto rays = spiral_directions(400);
+  Vector3 mean{};
+  Matrix3 second{};
+  for (const auto &ray : rays) {
+    EXPECT_NEAR(dot(ray, ray), 1.0, 1e-14);
+    for (int k = 0; k < 3; k++) mean[k] += ray[k] / rays.size();
+    add_dyad(second, 1.0 / rays.size(), ray, ray);
+  }
+  for (int k = 0; k < 3; k++) {
+    EXPECT_NEAR(mean[k], 0.0, 2e-3);
+    for (int l = 0; l < 3; l++) EXPECT_NEAR(second[k][l], k == l ? 1.0 / 3.0 : 0.0, 2e-3);
+  }
+}
+
+// volume per site of the lattices: cube 1, rhombic dodecahedron 1/sqrt 2, truncated octahedron 4/(3 sqrt 3)
+TEST(Cells, VolumesOfLattices)
+{
+  const double f = std::sqrt(0.5), b = 1.0 / std::sqrt(3.0);
+  const std::pair<std::vector<Vector3>, double> lattices[] = {
+      {shell({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 1.0},
+      {shell({{f, f, 0}, {f, 0, f}, {0, f, f}}), f},
+      {shell({{b, b, b}, {2 * b, 0, 0}, {0, 2 * b, 0}, {0, 0, 2 * b}}), 4.0 / 3.0 * b}};
+  for (const auto &[places, volume] : lattices) {
+    BodyHalo alone;
+    const BondedBody body = star(alone, places);
+    EXPECT_NEAR(Cells(body).volume(0, spiral_directions(2000)) / volume, 1.0, 2e-3);
+  }
+}
+
+// radical planes: a larger neighbour's plane is nearer, at L/2 + (r1^2 - r2^2)/2L
+TEST(Cells, PlanesBetweenUnequalParticles)
+{
+  BodyHalo alone;
+  BondedBody body = star(alone, {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}});
+  body.diameter = {1.0, 1.4, 0.8, 1.0};
+  const Cells cells(body);
+  const double scale = cells.diameter(0);    // spacing over diameter
+  EXPECT_NEAR(cells.reach(0, {1, 0, 0}), 0.5 + scale * scale * (0.25 - 0.49) / 2.0, 1e-14);
+  EXPECT_NEAR(cells.reach(0, {-1, 0, 0}), 0.5 + scale * scale * (0.25 - 0.16) / 2.0, 1e-14);
+  EXPECT_EQ(cells.reach(0, {0, 0, 1}), HUGE_VAL);
+}
+
+TEST(Surfaces, OfABlock)
+{
+  const Block block = {5, 5, 5, false, 1.0, 2.0};
+  Solid solid(block);
+  const Surfaces surfaces(solid.body, Cells(solid.body));
+  const int corner = solid.at(block, 0, 0, 0), edge = solid.at(block, 0, 0, 2),
+            face = solid.at(block, 4, 2, 2), middle = solid.at(block, 2, 2, 2);
+  const int blocked[] = {3, 2, 1, 0};
+  int k = 0;
+  for (const int i : {corner, edge, face, middle}) {
+    const Matrix3 &b = surfaces.blocked[i];
+    EXPECT_NEAR(b[0][0] + b[1][1] + b[2][2], blocked[k++], 1e-12);
+  }
+  EXPECT_TRUE(surfaces.inside(solid.body, middle));
+  EXPECT_FALSE(surfaces.inside(solid.body, face));
+  EXPECT_NEAR(surfaces.normal[face][0], 1.0, 0.02);    // 400 rays
+  EXPECT_EQ(surfaces.normal[edge], Vector3{});
+  EXPECT_EQ(surfaces.normal[middle], Vector3{});
+}
+
+TEST(Volumes, ACellAtASurfaceGrowsWithItsFace)
+{
+  const Block block = {5, 5, 5, false, 1.0, 2.0};
+  Solid solid(block);
+  const Cells cells(solid.body);
+  const Surfaces surfaces(solid.body, cells);
+  const Vector3 c = volume_at_surface(solid.body, cells, surfaces, solid.at(block, 4, 2, 2),
+                                      spiral_directions(2000));
+  for (const double lambda : {0.6, 0.8, 1.0})    // the half cell behind and lambda/2 in front
+    EXPECT_NEAR(c[0] + lambda * (c[1] + lambda * c[2]), 0.5 + 0.5 * lambda, 0.01);
+}
+
+// sum A L/2 = 6 V over 32 bonds of lengths 1, sqrt 2, sqrt 3, 2
+TEST(UniformAreas, OfACrystal)
+{
+  Solid solid({6, 6, 6, true, 1.0, 2.0});
+  solid.body.volume.assign(solid.body.nall, 1.0);
+  const UniformAreas uniform(solid.body, Surfaces(solid.body, Cells(solid.body)));
+  const double lengths = 6.0 + 12.0 * std::sqrt(2.0) + 8.0 * std::sqrt(3.0) + 6.0 * 2.0;
+  EXPECT_NEAR(uniform.factor, 12.0 / lengths, 1e-12);
+  EXPECT_DOUBLE_EQ(uniform.volume, 216.0);
+  EXPECT_DOUBLE_EQ(uniform.area.front(), uniform.factor);
+}
+
+TEST(UniformAreas, TheSolidsTraceIsSix)
+{
+  const Matrix6 c = isotropic_stiffness(areas::POISSON);
+  double trace = 0.0;
+  for (int k = 0; k < 6; k++) trace += c[k][k];
+  EXPECT_NEAR(areas::SOLID_TRACE, trace, 1e-14);
+  EXPECT_DOUBLE_EQ(areas::GOLDEN_ANGLE, M_PI * (3.0 - std::sqrt(5.0)));
+}
+
+// all six states, in whatever basis: the compliance; one alone: its strain over the root of its energy
+TEST(Admissible, StatesAreOrthonormalInEnergy)
+{
+  Matrix3 axis{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  axis[0] = {c, s, 0};
+  axis[1] = {-s, c, 0};
+  std::vector<StressState> states;
+  for (int k = 0; k < 3; k++)
+    for (int l = k; l < 3; l++) states.push_back({1.0, mandel(axis[k], axis[l])});
+  const Matrix6 all = energy_norm(states), compliance = isotropic_compliance(0.25);
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) EXPECT_NEAR(all[i][j], compliance[i][j], 1e-14);
+  const Matrix6 one = energy_norm({{0.5, {3.0, 0.0, 0.0, 0.0, 0.0, 0.0}}});
+  EXPECT_NEAR(one[0][0], 0.25, 1e-15);
+  EXPECT_NEAR(one[1][2], 0.25 / 16.0, 1e-15);
+  EXPECT_EQ(one[3][3], 0.0);
+}
+
+TEST(Admissible, AFaceCarriesNoTraction)
+{
+  const Block block = {9, 9, 9, false, 1.0, 2.0};
+  Solid solid(block);
+  solid.body.volume.assign(solid.body.nall, 1.0);
+  const Surfaces surfaces(solid.body, Cells(solid.body));
+  const UniformAreas uniform(solid.body, surfaces);
+  const auto k = admissible_strains(solid.body, surfaces, uniform);
+  const Matrix6 stiffness = isotropic_stiffness(0.25), compliance = isotropic_compliance(0.25);
+  const Matrix6 seen = product(stiffness, product(k[solid.at(block, 8, 4, 4)], stiffness));
+  for (const int traction :
+       {0, 4, 5})    // xx, xz, xy of the stress states; the normal is told by 400 rays
+    EXPECT_NEAR(seen[traction][traction], 0.0, 1e-3);
+  const Matrix6 &middle = k[solid.at(block, 4, 4, 4)];
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) EXPECT_NEAR(middle[i][j], compliance[i][j], 1e-12);
+}
+
+// the slope is that of the square, by differences
+TEST(Misfit, SlopeIsTheDerivativeOfTheSquare)
+{
+  const double volume = 0.7, h = 1e-6;
+  const Matrix6 k = isotropic_compliance(0.25), target = isotropic_stiffness(0.25);
+  Moments m;
+  for (int c = 0; c < MOMENTS; c++) m[c] = std::sin(1.0 + c);
+  const Moments slope = Misfit(m, volume, &target).slope(k, volume);
+  for (int c = 0; c < MOMENTS; c++) {
+    Moments up = m, down = m;
+    up[c] += h;
+    down[c] -= h;
+    const double difference =
+        Misfit(up, volume, &target).square(k) - Misfit(down, volume, &target).square(k);
+    EXPECT_NEAR(slope[c], 0.5 * difference / (2.0 * h), 1e-7 * std::fabs(slope[c]) + 1e-8);
+  }
+}
+
+// simple cubic, bonds 1 (section a) and sqrt 2 (section b): C1111 = a + sqrt 2 b, C1122 = b/sqrt 2 are 6/5 and 2/5
+TEST(LeastSquares, FindsTheIsotropicCrystal)
+{
+  Solid solid({6, 6, 6, true, 1.0, std::sqrt(2.0)});
+  BondedBody &body = solid.body;
+  body.volume.assign(body.nall, 1.0);
+  const Surfaces surfaces(body, Cells(body));
+  const UniformAreas uniform(body, surfaces);
+  const auto admissible = admissible_strains(body, surfaces, uniform);
+  LeastSquares squares(body, uniform.area, admissible);
+  const std::vector<Matrix6> target(body.nowned, isotropic_stiffness(0.25));
+  squares.iterate(100, target);
+  EXPECT_EQ(squares.iterations(), 100);
+  for (std::size_t b = 0; b < body.bonds.size(); b++)    // the pull has the weight 0.02^2
+    EXPECT_NEAR(squares.area(b), body.bonds[b].length < 1.2 ? 0.4 : 0.4 * std::sqrt(2.0), 1e-3);
+  for (const auto &misfit : squares.misfits(&target)) EXPECT_LT(misfit.square(admissible[0]), 1e-5);
+}
+
+// a sum over all particles of the weights is nothing; inside they cancel; a layer is left along the faces
+TEST(SurfaceLayer, AddsUpToNothing)
+{
+  const Block block = {11, 11, 11, false, 1.0, 2.0};
+  Solid solid(block);
+  solid.body.volume.assign(solid.body.nall, 1.0);
+  const Surfaces surfaces(solid.body, Cells(solid.body));
+  const auto layer = surface_layer(solid.body, surfaces);
+  Vector6 sum{};
+  for (const auto &at : layer)
+    for (int c = 0; c < 6; c++) sum[c] += at[c];
+  for (int c = 0; c < 6; c++) {
+    EXPECT_NEAR(sum[c], 0.0, 1e-9);
+    EXPECT_NEAR(layer[solid.at(block, 5, 5, 5)][c], 0.0, 1e-12);
+  }
+  EXPECT_GT(layer[solid.at(block, 10, 5, 5)][0], 0.1);
+}
+
+// sum over cells of the second derivative of a quadratic field, from its values: of g = x^2 it is V for every particle that
+// has found its stencil
+TEST(SurfaceLayer, DifferentiatesAQuadraticField)
+{
+  const Block block = {9, 9, 9, false, 1.0, 2.0};
+  Solid solid(block);
+  solid.body.volume.assign(solid.body.nall, 1.0);
+  const Surfaces surfaces(solid.body, Cells(solid.body));
+  const auto layer = surface_layer(solid.body, surfaces);
+  double xx = 0.0, yy = 0.0;
+  for (int i = 0; i < solid.body.nall; i++) {
+    const double x = i % block.nx;
+    xx += layer[i][0] * x * x;
+    yy += layer[i][1] * x * x;
+  }
+  EXPECT_NEAR(xx / 729.0, 1.0, 0.05);    // the ridge, and four rounds of handing over
+  EXPECT_NEAR(yy / 729.0, 0.0, 0.05);
+}
+
+// bonds along the axes only leave shear without resistance
+TEST(Targets, AMechanismIsKnownByItsMoments)
+{
+  for (const double reach : {1.0, 2.0}) {
+    Solid solid({6, 6, 6, true, 1.0, reach});
+    BondedBody &body = solid.body;
+    body.volume.assign(body.nall, 1.0);
+    const Surfaces surfaces(body, Cells(body));
+    const UniformAreas uniform(body, surfaces);
+    const auto admissible = admissible_strains(body, surfaces, uniform);
+    const LeastSquares squares(body, uniform.area, admissible);
+    const BulkMoments bulk(body, surfaces, squares, 2);
+    EXPECT_EQ(bulk.stiff, reach > 1.0);
+    Targets targets(body, surfaces);
+    EXPECT_EQ(targets.correct(squares, admissible), reach > 1.0);
+    // without surfaces the target is the solid's stiffness
+    const Matrix6 stiffness = isotropic_stiffness(0.25);
+    for (int a = 0; a < 6; a++)
+      for (int b = 0; b < 6; b++) EXPECT_NEAR(targets.wanted()[0][a][b], stiffness[a][b], 1e-12);
+  }
+}
+
+}    // namespace
