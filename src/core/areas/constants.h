@@ -1,89 +1,114 @@
-/* Every number that `area body` has been given rather than found: what it is, and where it comes from. Those that
-   nothing derives were chosen on the beams of docs/area.md; what half and twice the value do to a random packing is
-   measured by tools/area_constants.py (table "Constants" of docs/area.md). Names stand once, here. */
+/* Every number that `area body` has been given rather than finds: one line each, above it what it is and where it comes
+   from. *Derived* and *rounding* need no measurement. *Chosen* ones were set on the beams of docs/area.md; what half and
+   twice the value do is measured by tools/area_constants.py, which reads this file and prints the table of that page. */
 
 #ifndef POTDEM_AREAS_CONSTANTS_H
 #define POTDEM_AREAS_CONSTANTS_H
 
-namespace POTDEM {
-namespace areas {
+namespace POTDEM::areas {
 
-  // the solid
-  static constexpr double POISSON =
-      0.25;    // the only isotropic solid of central forces (Cauchy's relation)
-  static constexpr double SOLID_TRACE =
-      6.0;    // trace of its stiffness over E: 3 C11 + 3 * 2 C44, C11 = 6/5, C44 = 2/5
-  static constexpr double SQUARE_OVER_VARIANCE = 12.0;    // of a cube along an edge
+// ---- the solid
 
-  // cells (cells.cpp)
-  static constexpr int SHORTEST =
-      2;    // bond that tells the spacing, from 0: a corner has three close neighbours
-  static constexpr double GOLDEN_ANGLE = 2.39996322972865332;    // pi (3 - sqrt 5)
-  static constexpr double RAYS = 2e7;    // all inner cells together: a few seconds at most
-  static constexpr double LEAST_RAYS = 400.0, MOST_RAYS = 2000.0;    // of one cell
+// derived: Poisson's ratio of the only isotropic solid of central forces (Cauchy's relation)
+static constexpr double POISSON = 0.25;
+// derived: trace of the solid's stiffness over E, 3 C11 + 3 * 2 C44 with C11 = 6/5, C44 = 2/5
+static constexpr double SOLID_TRACE = 6.0;
+// derived: edge^2 over the variance of a cube along an edge; stands for all cells
+static constexpr double SQUARE_OVER_VARIANCE = 12.0;
 
-  // free surfaces (surfaces.cpp)
-  static constexpr int SURFACE_RAYS = 400;    // of one particle
-  static constexpr double OPEN_FROM =
-      1.0;                          // diameters: a ray that leaves the cell beyond it is open
-  static constexpr int PORE = 2;    // fewer open rays are a pore of the packing
-  static constexpr double BLOCKED_SHARE =
-      0.2;    // of the trace: a face has below 0.12 along it, edge and corner above 0.29
-  static constexpr double ONE_SIDE =
-      0.5;    // of the open rays' length is left of their sum along a face's normal
+// ---- cells
 
-  // volumes at surfaces (volumes.cpp): lambda is the distance of a face from its particles, in radii
-  static constexpr double LEAST_LAMBDA = 0.5,
-                          MOST_LAMBDA =
-                              1.2;    // 0.71 fcc, 1 simple cubic, 1.04 random between walls
-  static constexpr double LOW_SAMPLE = 0.6,
-                          HIGH_SAMPLE =
-                              1.0;    // a cell's volume is a parabola through these and the middle
-  static constexpr double LAMBDA_ROUNDING = 1e-15;
+// chosen: bond (counted from 0, by length) that tells the spacing: even a corner has three close neighbours
+static constexpr int SHORTEST = 2;
+// derived: pi (3 - sqrt 5), the turn from one direction of the spiral to the next
+static constexpr double GOLDEN_ANGLE = 2.39996322972865332;
+// chosen: rays of all inner cells together: a bound on the time, a few seconds
+static constexpr double RAYS = 2e7;
+// chosen: least rays of one cell: volumes of lattices within 1 %
+static constexpr double LEAST_RAYS = 400.0;
+// chosen: most rays of one cell: volumes of lattices within 0.2 %
+static constexpr double MOST_RAYS = 2000.0;
 
-  // admissible states (admissible.cpp)
-  static constexpr int NEARBY_BONDS = 2;    // surfaces are felt as far as two bonds reach
-  static constexpr double NEARBY =
-      5.0;    // second moment (1 inside) that a surface there takes off
-  static constexpr double CUT_OFF = 0.7,
-                          COMPLETE =
-                              0.9;    // second moment over its largest: state not trusted, trusted
-  static constexpr double FLOOR =
-      0.3;    // least trust per direction: squared twice, a hundredth of the energy for two
-  static constexpr double BEHIND =
-      10.0;    // beyond any second moment: puts the blocked directions first
+// ---- free surfaces
 
-  // least squares (least_squares.cpp)
-  static constexpr double
-      LEAST = 0.1,
-      MOST = 4.0;    // of an area over the uniform one: positive, so that each bond stiffens
-  static constexpr double PULL =
-      0.02;    // weight of area/uniform - 1 against 1 of the two conditions
-  static constexpr int POWER_ITERATIONS =
-      12;                                   // for the largest eigenvalue of one particle's misfit
-  static constexpr double UNSEEN = 1e-9;    // of the largest curvature: rounding
+// chosen: directions in which a particle looks for neighbours
+static constexpr int SURFACE_RAYS = 400;
+// chosen: diameters beyond which a ray that is still in its cell is open
+static constexpr double OPEN_FROM = 1.0;
+// chosen: fewer open rays are a pore of the packing
+static constexpr int PORE = 2;
+// chosen: share of the open rays' second moment from which a direction is blocked: a face has below 0.12, edge and corner 0.29
+static constexpr double BLOCKED_SHARE = 0.2;
+// chosen: share of the open rays' length that is left along a face's normal: a cone has (1 + cos)/2, a slit 0
+static constexpr double ONE_SIDE = 0.5;
 
-  // course of the solution (body_area.cpp)
-  static constexpr int FIRST_ITERATIONS = 20;    // before the targets are corrected
-  static constexpr int ITERATIONS = 20;          // after each time the energy is asked for
-  static constexpr int ENERGY_ROUNDS =
-      3;    // the energy is asked for once, and what it lacks twice more
+// ---- volumes at surfaces: lambda is how far a face is outside its particles' centres, in radii
 
-  // targets (surface_layer.cpp, targets.cpp)
-  static constexpr double SOFT =
-      0.02;    // least stiffness over E of a network that is no mechanism
-  static constexpr double RIDGE =
-      0.3;    // of the mean eigenvalue: keeps the stencil's weights small
-  static constexpr double FLAT = 1e-9;    // of the trace: bonds in one plane have a gradient in it
-  static constexpr int HANDING_ROUNDS =
-      4;    // what has no depth is handed inwards so many particles less one
-  static constexpr double DEEPER =
-      0.02;    // less of the directions open: not rounding, not roughness
-  static constexpr double LARGEST_CHANGE =
-      1.5;    // of a particle's target, root of the sum of squares of its six states
-  static constexpr double NO_LAYER = 1e-6;    // below: rounding, no surface nearby
+// chosen: least lambda that is looked for (0.71 for fcc)
+static constexpr double LEAST_LAMBDA = 0.5;
+// chosen: largest lambda that is looked for (1 for simple cubic, 1.04 for a random packing between walls)
+static constexpr double MOST_LAMBDA = 1.2;
+// chosen: a cell's volume as a function of lambda is the parabola through this,
+static constexpr double LOW_SAMPLE = 0.6;
+// chosen: this and the middle
+static constexpr double HIGH_SAMPLE = 1.0;
+// rounding: width at which bisection ends
+static constexpr double LAMBDA_ROUNDING = 1e-15;
 
-}    // namespace areas
-}    // namespace POTDEM
+// ---- admissible states
+
+// chosen: bonds through which a surface is felt: the states there fade over two
+static constexpr int NEARBY_BONDS = 2;
+// chosen: second moment (1 inside the body) that a surface nearby takes off
+static constexpr double NEARBY = 5.0;
+// chosen: second moment along a direction, over the largest, up to which a state is not trusted
+static constexpr double CUT_OFF = 0.7;
+// chosen: the same, from which it is trusted
+static constexpr double COMPLETE = 0.9;
+// chosen: least trust per direction; K has its square, two directions a hundredth
+static constexpr double FLOOR = 0.3;
+// derived: twice NEARBY, so that blocked directions come first
+static constexpr double BEHIND = 10.0;
+
+// ---- least squares
+
+// chosen: least area over the uniform one; positive, so that each bond stiffens
+static constexpr double LEAST = 0.1;
+// chosen: largest area over the uniform one
+static constexpr double MOST = 4.0;
+// chosen: weight of area over uniform - 1, against 1 of energy and balance
+static constexpr double PULL = 0.02;
+// chosen: steps of the power iteration for the largest eigenvalue of one particle's misfit, the bound of the step
+static constexpr int POWER_ITERATIONS = 12;
+// rounding: curvature over the largest of a particle's, below which it does not see the bond
+static constexpr double UNSEEN = 1e-9;
+
+// ---- course of the solution
+
+// chosen: gradient steps before the targets are corrected
+static constexpr int FIRST_ITERATIONS = 20;
+// chosen: gradient steps after each time the energy is asked for
+static constexpr int ITERATIONS = 20;
+// chosen: times the energy is asked for, first in full, then what it lacks
+static constexpr int ENERGY_ROUNDS = 3;
+
+// ---- targets
+
+// chosen: least stiffness over E of a network that is no mechanism
+static constexpr double SOFT = 0.02;
+// chosen: added to the stencil's matrix, over its mean eigenvalue: keeps the weights small
+static constexpr double RIDGE = 0.3;
+// rounding: added to the gradient's matrix, over its trace: bonds may lie in one plane
+static constexpr double FLAT = 1e-9;
+// chosen: applications of the stencil; between them what has no depth is handed inwards by one neighbour
+static constexpr int HANDING_ROUNDS = 4;
+// chosen: how much less of a neighbour's directions is open if it is deeper inside
+static constexpr double DEEPER = 0.02;
+// chosen: largest change of a particle's target as seen through K (Frobenius norm; C has sqrt 6)
+static constexpr double LARGEST_CHANGE = 1.5;
+// rounding: layer times variance of a cell, below which there is no surface nearby
+static constexpr double NO_LAYER = 1e-6;
+
+}    // namespace POTDEM::areas
 
 #endif

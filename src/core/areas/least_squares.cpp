@@ -4,6 +4,20 @@
 
 using namespace POTDEM;
 
+namespace {
+
+// of the misfit with respect to a bond's area, from the slopes with respect to the moments of its ends
+double slope(const BondedBody::Bond &bond, const Moments &low, const Moments &high)
+{
+  double p[MOMENTS], force = 0.0, work = 0.0;
+  direction_products(bond.n.data(), p);
+  for (int k = 0; k < THIRD; k++) force += (low[k] - high[k]) * p[k];
+  for (int k = THIRD; k < MOMENTS; k++) work += (low[k] + high[k]) * p[k];
+  return force + 0.5 * bond.length * work;
+}
+
+}    // namespace
+
 LeastSquares::LeastSquares(const BondedBody &bonded, const std::vector<double> &uniform_areas,
                            const std::vector<Matrix6> &admissible_strains) :
     body(bonded),
@@ -118,26 +132,16 @@ void LeastSquares::find_slopes(const std::vector<double> &z, const std::vector<M
   body.halo.forward(moments.empty() ? nullptr : moments[0].data(), MOMENTS);
 }
 
-// of the misfit with respect to x of a bond, from the moments' slopes
-double LeastSquares::slope(int b) const
-{
-  const auto &bond = body.bonds[b];
-  const double *low = moments[bond.low].data(), *high = moments[bond.high].data();
-  double p[MOMENTS], force = 0.0, work = 0.0;
-  direction_products(bond.n.data(), p);
-  for (int k = 0; k < THIRD; k++) force += (low[k] - high[k]) * p[k];
-  for (int k = THIRD; k < MOMENTS; k++) work += (low[k] + high[k]) * p[k];
-  return uniform[b] * (force + 0.5 * bond.length * work);
-}
-
 // projected gradient step from `ahead`; returned: whether the last move, x to there, went uphill (> 0)
 double LeastSquares::descend(const std::vector<double> &ahead, std::vector<double> &moved) const
 {
   double uphill = 0.0;
   for (std::size_t b = 0; b < body.bonds.size(); b++) {
-    const double g = slope(b) + areas::PULL * areas::PULL * (ahead[b] - 1.0);
+    const auto &bond = body.bonds[b];
+    const double g = uniform[b] * slope(bond, moments[bond.low], moments[bond.high]) +
+        areas::PULL * areas::PULL * (ahead[b] - 1.0);
     moved[b] = std::clamp(ahead[b] - step[b] * g, areas::LEAST, areas::MOST);
-    if (body.bonds[b].counted) uphill += (ahead[b] - moved[b]) * (moved[b] - x[b]) / step[b];
+    if (bond.counted) uphill += (ahead[b] - moved[b]) * (moved[b] - x[b]) / step[b];
   }
   body.halo.sum(&uphill, 1);
   return uphill;

@@ -41,7 +41,6 @@ class LeastSquares {
   double largest_eigenvalue(int i) const;
   void accumulate(const std::vector<double> &z);
   void find_slopes(const std::vector<double> &z, const std::vector<Matrix6> &target);
-  double slope(int bond) const;
   double descend(const std::vector<double> &ahead, std::vector<double> &moved) const;
 };
 
