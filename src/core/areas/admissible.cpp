@@ -17,7 +17,7 @@ std::vector<Matrix3> surfaces_nearby(const BondedBody &body, const Surfaces &sur
     sums[i][VOLUME] = body.volume[i];
   }
   for (int round = 0; round < areas::NEARBY_BONDS; round++) {
-    body.halo.forward(sums.empty() ? nullptr : sums[0].data(), WIDTH);
+    body.forward(sums);
     const auto last = sums;
     for (int i = 0; i < body.nowned; i++)
       for (const auto &to : body.neighbours(i))

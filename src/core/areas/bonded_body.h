@@ -63,6 +63,16 @@ struct BondedBody {
   }
   bool bonded(int i) const { return first[i] < first[i + 1]; }
 
+  // values of nall particles, doubles or arrays of them: copies take the owner's; owners add the copies'
+  template <class T> void forward(std::vector<T> &values) const
+  {
+    halo.forward(reinterpret_cast<double *>(values.data()), width<T>());
+  }
+  template <class T> void reverse(std::vector<T> &values) const
+  {
+    halo.reverse(reinterpret_cast<double *>(values.data()), width<T>());
+  }
+
   Vector3 separation(const Neighbour &to) const
   {
     const Bond &bond = bonds[to.bond];
@@ -71,6 +81,13 @@ struct BondedBody {
   }
 
  private:
+  template <class T> static constexpr int width()
+  {
+    static_assert(sizeof(T) % sizeof(double) == 0, "doubles only");
+    static_assert(sizeof(T) <= BodyHalo::WIDEST * sizeof(double), "the halo carries it");
+    return sizeof(T) / sizeof(double);
+  }
+
   std::vector<int> first;
   std::vector<Neighbour> list;
 };

@@ -39,11 +39,9 @@ void LeastSquares::find_step()
     Matrix6 k;
     double largest;
   };
-  static constexpr int WIDTH = sizeof(Seen) / sizeof(double);
-  static_assert(WIDTH <= BodyHalo::WIDEST, "the halo carries it");
   std::vector<Seen> seen(body.nall);
   for (int i = 0; i < body.nowned; i++) seen[i] = {admissible[i], largest_eigenvalue(i)};
-  body.halo.forward(seen.empty() ? nullptr : seen[0].k[0].data(), WIDTH);
+  body.forward(seen);
   for (std::size_t b = 0; b < body.bonds.size(); b++) {
     double above = areas::PULL * areas::PULL;
     for (const int i : {body.bonds[b].low, body.bonds[b].high})
@@ -129,7 +127,7 @@ void LeastSquares::find_slopes(const std::vector<double> &z, const std::vector<M
     if (body.bonded(i))
       moments[i] =
           Misfit(moments[i], body.volume[i], &target[i]).slope(admissible[i], body.volume[i]);
-  body.halo.forward(moments.empty() ? nullptr : moments[0].data(), MOMENTS);
+  body.forward(moments);
 }
 
 // projected gradient step from `ahead`; returned: whether the last move, x to there, went uphill (> 0)

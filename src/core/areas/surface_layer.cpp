@@ -105,9 +105,9 @@ std::vector<Vector6> POTDEM::surface_layer(const BondedBody &body, const Surface
         stencils[i].apply(body, i, layer);
         hand_over(body, surfaces, i, stencils[i].wanted, handed);
       }
-    body.halo.reverse(handed.empty() ? nullptr : handed[0][0].data(), 36);
+    body.reverse(handed);
     for (int i = 0; i < body.nowned; i++) add(stencils[i].wanted, 1.0, handed[i]);
   }
-  body.halo.reverse(layer.empty() ? nullptr : layer[0].data(), 6);
+  body.reverse(layer);
   return layer;
 }

@@ -51,6 +51,6 @@ Surfaces::Surfaces(const BondedBody &body, const Cells &cells) :
       continue;
     for (int k = 0; k < 3; k++) normal[i][k] = outward > 0.0 ? axis[2][k] : -axis[2][k];
   }
-  body.halo.forward(open.data(), 1);
-  body.halo.forward(normal.empty() ? nullptr : normal[0].data(), 3);
+  body.forward(open);
+  body.forward(normal);
 }

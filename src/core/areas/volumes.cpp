@@ -125,6 +125,6 @@ bool POTDEM::find_volumes(BondedBody &body, const Cells &cells, const Surfaces &
   if (lambda == 0.0) return true;
   for (int i = 0; i < body.nowned; i++)
     if (body.bonded(i)) body.volume[i] = at(volumes[i], lambda);
-  body.halo.forward(body.volume.data(), 1);
+  body.forward(body.volume);
   return true;
 }
