@@ -28,6 +28,7 @@ FixStyle(POTDEM_REFRESH,FixPotdemRefresh);
 FixStyle(POTDEM_WATCH,PotdemWatch);
 #elif defined(COMPUTE_CLASS)
 ComputeStyle(potdem/energy,ComputePotdemEnergy);
+ComputeStyle(potdem/piece/atom,ComputePotdemPieceAtom);
 ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
 ComputeStyle(potdem/timestep,ComputePotdemTimestep);
 #elif defined(COMMAND_CLASS)
@@ -40,6 +41,7 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "bond_potdem_truss.h"
 #include "bond_potdem_truss_omp.h"
 #include "compute_potdem_energy.h"
+#include "compute_potdem_piece_atom.h"
 #include "compute_potdem_strain_atom.h"
 #include "compute_potdem_timestep.h"
 #include "fix_potdem_contacts.h"

@@ -172,6 +172,11 @@ CASES = {
     # strain
     "strain before bonds": (WALL + "compute s all potdem/strain/atom", ["potdem/strain/atom s", "after potdem_bonds"]),
     "strain keyword": (BODY + "compute s all potdem/strain/atom green", ["potdem/strain/atom", "'green'"]),
+    # pieces
+    "piece before bonds": (WALL + "compute p all potdem/piece/atom",
+                           ["potdem/piece/atom p", "no memory of bonds", "after bond_style potdem/truss or potdem_bonds"]),
+    "piece keyword": (BODY + "compute p all potdem/piece/atom 0.1", ["potdem/piece/atom", "'0.1'", "none"]),
+    "piece without memory": (BODY + "compute p all potdem/piece/atom\nunfix POTDEM_BONDS\nrun 0", ["POTDEM_BONDS", "unfix"]),
     # critical step
     "timestep keyword": (BODY + "compute t all potdem/timestep before 1", ["compute potdem/timestep", "'before'", "ahead"]),
     "timestep ahead": (BODY + "compute t all potdem/timestep ahead -1", ["ahead = -1", ">= 0"]),

@@ -163,7 +163,7 @@ def test_script_of_the_readme_breaks_the_beam_off_at_the_clamp(run_lammps):
     (script,) = scripts(README.read_text(encoding="utf-8"))
     # the piece with atom 1, which is clamped, has the number 1
     run = run_lammps(script + """
-compute piece all aggregate/atom 1e-9
+compute piece all potdem/piece/atom
 compute least free reduce min c_piece
 run 0
 print "LEAST $(c_least)"

@@ -19,9 +19,10 @@ fix move all nve
 compute books all potdem/energy
 compute step all potdem/timestep
 compute strain all potdem/strain/atom
+compute piece all potdem/piece/atom
 compute largest all reduce max c_strain[1]
 timestep 1e-3
-thermo_style custom step pe c_books c_step c_largest
+thermo_style custom step pe c_books c_step c_largest c_piece
 run 2
 info fixes system
 """

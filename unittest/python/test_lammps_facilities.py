@@ -346,7 +346,7 @@ set group all diameter 1.0
 set group all density 1.0
 potdem_bonds all 1 2.0 diameters
 """ + scripts.elastic() + """
-compute piece all aggregate/atom 1e-9
+compute piece all potdem/piece/atom
 compute chunk all chunk/atom c_piece compress yes
 compute size all property/chunk chunk count
 fix move all nve
