@@ -114,6 +114,7 @@ void FixPotdemContacts::pre_exchange()
 {
   if (!pair) return;
   FixNeighHistory::pre_exchange();
+  add_aside();
   add_expected();
 }
 
@@ -121,13 +122,9 @@ void FixPotdemContacts::post_neighbor()
 {
   if (!pair) return;
   FixNeighHistory::post_neighbor();
+  set_aside();
   expected.clear();
   stored = false;
-  remembering = 0;
-  for (int ii = 0; ii < pair->list->inum; ii++) {
-    const int i = pair->list->ilist[ii], *const flags = firstflag[i];
-    remembering += std::count(flags, flags + pair->list->numneigh[i], 1);
-  }
 }
 
 void FixPotdemContacts::post_run()
@@ -136,6 +133,32 @@ void FixPotdemContacts::post_run()
   pre_exchange();
   expected.clear();
   stored = true;
+}
+
+// what the particles know of pairs that their list does not have
+void FixPotdemContacts::set_aside()
+{
+  aside.clear();
+  remembering = 0;
+  std::vector<tagint> listed;
+  const auto *const list = pair->list;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    listed.clear();
+    for (int jj = 0; npartner[i] > 0 && jj < list->numneigh[i]; jj++)
+      if (firstflag[i][jj]) listed.push_back(atom->tag[list->firstneigh[i][jj] & NEIGHMASK]);
+    remembering += static_cast<bigint>(listed.size());
+    for (int k = 0; k < npartner[i]; k++)
+      if (std::find(listed.begin(), listed.end(), partner[i][k]) == listed.end())
+        aside.push_back({i, partner[i][k], valuepartner[i][k]});
+  }
+}
+
+// the list of the other particle may have had the pair
+void FixPotdemContacts::add_aside()
+{
+  for (const auto &one : aside)
+    if (place_of_partner(one.i, one.partner) < 0) add_partner(one.i, one.partner, one.distance);
 }
 
 // between runs the particles have moved on already, unlike those of the last neighbour list
@@ -164,8 +187,31 @@ void FixPotdemContacts::add_expected()
   };
   for (const auto &contact : expected) {
     const int i = owned(contact.first), j = owned(contact.second);
-    if (i >= 0) add_partner(i, contact.second, contact.distance);
-    if (j >= 0) add_partner(j, contact.first, contact.distance);
+    if (i >= 0) set_partner(i, contact.second, contact.distance);
+    if (j >= 0) set_partner(j, contact.first, contact.distance);
+  }
+}
+
+// -1: not there
+int FixPotdemContacts::place_of_partner(int i, tagint tag) const
+{
+  for (int k = 0; k < npartner[i]; k++)
+    if (partner[i][k] == tag) return k;
+  return -1;
+}
+
+// a pair that was bonded again and failed again begins anew
+void FixPotdemContacts::set_partner(int i, tagint tag, double distance)
+{
+  const int k = place_of_partner(i, tag);
+  if (k < 0) {
+    if (distance > 0.0) add_partner(i, tag, distance);
+  } else if (distance > 0.0) {
+    valuepartner[i][k] = distance;
+  } else {
+    const int last = --npartner[i];
+    partner[i][k] = partner[i][last];
+    valuepartner[i][k] = valuepartner[i][last];
   }
 }
 

@@ -8,7 +8,8 @@
    made at its init; it outlives a pair_style that is given again.
 
    A contact that begins otherwise than by touch (the pair of a bond that failed, or that a crack cuts) is announced with what
-   it is to remember, on all ranks, and is in the lists from the next rebuild on. */
+   it is to remember, on all ranks, and is in the lists from the next rebuild on. It remembers for good: LAMMPS forgets pairs
+   that leave the neighbour list, so those are kept with their particles meanwhile. */
 
 #ifndef LMP_FIX_POTDEM_CONTACTS_H
 #define LMP_FIX_POTDEM_CONTACTS_H
@@ -20,7 +21,7 @@
 
 namespace LAMMPS_NS {
 
-// of two particles, by their IDs, that are in reach of each other: their distance at which the law of contact begins
+// of two particles, by their IDs: their distance at which the law of contact begins; 0: where they touch, as any others
 struct PotdemNewContact {
   tagint first, second;
   double distance;
@@ -49,15 +50,24 @@ class FixPotdemContacts : public FixNeighHistory {
   // of the pair in place jj of the list of particle i: 0 if it remembers nothing
   bool any() const { return remembering > 0; }
   double distance(int i, int jj) const { return firstflag[i][jj] ? firstvalue[i][jj] : 0.0; }
-  void forget(int i, int jj) { firstflag[i][jj] = 0; }
 
  private:
   std::vector<PotdemNewContact> expected;    // the same on all ranks
-  bool stored;           // with the particles, as between runs; else with the neighbour list
-  bigint remembering;    // contacts of this rank's list, at most
+  struct Aside {
+    int i;    // owned particle
+    tagint partner;
+    double distance;
+  };
+  std::vector<Aside> aside;    // of pairs that are not in this rank's list
+  bool stored;                 // with the particles, as between runs; else with the neighbour list
+  bigint remembering;          // contacts of this rank's list, at most
 
   bool pages_will_change() const;
   void add_expected();
+  void set_aside();
+  void add_aside();
+  int place_of_partner(int i, tagint) const;
+  void set_partner(int i, tagint, double distance);
   void add_partner(int i, tagint, double distance);
 };
 

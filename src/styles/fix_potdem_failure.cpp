@@ -199,12 +199,11 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
   const auto failed = describe_pending();
   pending.clear();
   bool near = false;
-  std::vector<PotdemNewContact> touching;
+  std::vector<PotdemNewContact> begun;
   for (const auto &failure : failed) {
     remove(failure);
-    if (failure.contact > 0.0)
-      touching.push_back(
-          {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2), failure.contact});
+    begun.push_back(
+        {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2), failure.contact});
     near = near || failure.gap < 2.0 * neighbor->skin;
     (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
     energy += failure.energy;
@@ -212,7 +211,7 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
   }
   pre_exchange();    // LAMMPS's special lists know it at once
   // a pair within reach of its contact law remembers the distance, at which the law will begin
-  for (auto *const pair : PairPotdemBase::all(lmp)) pair->expect_contacts(touching);
+  for (auto *const pair : PairPotdemBase::all(lmp)) pair->expect_contacts(begun);
   if (near) next_reneighbor = update->ntimestep + 1;
 }
 

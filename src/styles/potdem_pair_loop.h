@@ -152,10 +152,7 @@ void PairPotdem<Law>::loop(Span &span)
       const double *const del = touch.del;
       const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
       const double reach = laws[pair].reach(ri + rj);
-      if (r2 >= reach * reach || weight == 0.0) {
-        if (remembering) contacts->forget(i, jj);    // parted: the next contact is a new one
-        continue;
-      }
+      if (r2 >= reach * reach || weight == 0.0) continue;
 
       const double r = touch.r = sqrt(r2), near = nearest[pair] * (ri + rj);
       const auto partners = remembering ? pairing(i, j, contacts->distance(i, jj))

@@ -126,14 +126,29 @@ def path(*places):
 
 
 @pytest.mark.parametrize("nprocs, newton", [(1, "on"), (2, "on"), (2, "off")])
-def test_the_contact_begins_where_the_bond_ended_until_they_part(run_lammps, nprocs, newton):
-    script = FAILED.replace("atom_style", f"newton {newton} off\natom_style", 1) + path(0.8, 0.9, 0.99, 0.8, 1.01, 0.9)
+def test_the_contact_begins_where_the_bond_ended(run_lammps, nprocs, newton):
+    """also after the two have been out of each other's neighbour lists for some runs and rebuilds"""
+    places = (0.8, 0.9, 0.99, 0.8, 1.01, 5.0, 8.0, 5.0, 0.9, 0.8)
+    script = FAILED.replace("atom_style", f"newton {newton} off\natom_style", 1) + path(*places)
     found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
-    begins = 4 * [0.85] + 2 * [1.0]
-    for (energy, push), r, start in zip(found, (0.8, 0.9, 0.99, 0.8, 1.01, 0.9), begins):
+    for (energy, push), r in zip(found, places):
         # the pair fails in the step after the one that found it: at 0.85 to the last digit, since it is held
-        assert energy == pytest.approx(contact_energy(r, start), rel=1e-9, abs=1e-15), r
-        assert push == pytest.approx(contact_push(r, start), rel=1e-9, abs=1e-13), r
+        assert energy == pytest.approx(contact_energy(r, 0.85), rel=1e-9, abs=1e-15), r
+        assert push == pytest.approx(contact_push(r, 0.85), rel=1e-9, abs=1e-13), r
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_a_pair_that_is_bonded_and_fails_again_begins_anew(run_lammps, nprocs):
+    """first at 0.85, then at 0.9, then out of touch: the contact begins where the last bond ended, or at the diameter"""
+    strong = SETTINGS.replace("compression 50", "tension 60 compression 50")
+    script = CLOSE + strong + "set atom 2 x 0.85\nrun 3\n" + path(0.84)
+    script += "set atom 2 x 0.97\npotdem_bonds all 1 0.99\nrun 0\nset atom 2 x 0.9\nrun 3\n" + path(0.84)
+    script += "set atom 2 x 0.97\npotdem_bonds all 1 0.99\nrun 0\nset atom 2 x 1.06\nrun 3\n" + path(0.84)
+    found = scripts.results_by_length(run_lammps(script + scripts.result("f_fail"), nprocs=nprocs).stdout)
+    assert found[1][0][0] == 3
+    for (energy, push), start in zip(found[2], (0.85, 0.9, 1.0)):
+        assert energy == pytest.approx(contact_energy(0.84, start), rel=1e-9), start
+        assert push == pytest.approx(contact_push(0.84, start), rel=1e-9), start
 
 
 KEPT = {
@@ -175,11 +190,11 @@ CUT += "potdem_bonds all 1 0.95 crack slit\n"
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_a_crack_begins_free_of_force(run_lammps, through, nprocs):
     """the two that it cuts overlap by a tenth"""
-    places = (0.9, 0.8, 0.95, 1.01, 0.95)
+    places = (0.9, 0.8, 0.95, 1.01, 4.0, 0.95)
     found = scripts.results(run_lammps(CUT + through + path(*places), nprocs=nprocs).stdout)
-    for (energy, push), r, start in zip(found, places, (0.9, 0.9, 0.9, 1.0, 1.0)):
-        assert energy == pytest.approx(contact_energy(r, start), rel=1e-9, abs=1e-15), r
-        assert push == pytest.approx(contact_push(r, start), rel=1e-9, abs=1e-13), r
+    for (energy, push), r in zip(found, places):
+        assert energy == pytest.approx(contact_energy(r, 0.9), rel=1e-9, abs=1e-15), r
+        assert push == pytest.approx(contact_push(r, 0.9), rel=1e-9, abs=1e-13), r
 
 
 @pytest.mark.parametrize("law, coeff", [("potdem/hertz", "1000 0.3"), ("potdem/lj", "300 0.5 3 0.2")])
