@@ -368,19 +368,29 @@ def test_the_ledger_is_taken_away(run_lammps):
     assert run.stdout.count("ERROR") == 1
 
 
-@pytest.mark.parametrize("fix", ["POTDEM_BONDS", "POTDEM_WATCH"])
-def test_another_internal_fix_is_taken_away(lmp, run_lammps, tmp_path, fix):
-    """an error that names it, or the same results as without"""
-    script = WITH_LEDGER + f"thermo_modify format float {scripts.ALL_DIGITS}\nrun 50\n"
+# as docs/internal_fixes.md has it
+TAKEN_AWAY = {
+    "POTDEM_BONDS": True, "POTDEM_BONDS_FIX_PROP_ATOM": True, "POTDEM_CONTACTS_1": True, "strain_REFERENCE": True,
+    "pace_CRITICAL": True, "POTDEM_WATCH": False, "POTDEM_REFRESH": False
+}
+
+
+@pytest.mark.parametrize("part", TAKEN_AWAY)
+def test_another_internal_part_is_taken_away(lmp, run_lammps, tmp_path, part):
+    """one error that names it, or the same results as without"""
+    script = WITH_LEDGER + "compute strain all potdem/strain/atom\nfix pace all potdem/timestep 1 0.5 max 1e-4\n"
+    script += f"thermo_modify format float {scripts.ALL_DIGITS}\nrun 50\n"
     usual = last_row(run_lammps(script + "run 50\n"))
-    (tmp_path / "in.unfix").write_text(script + f"unfix {fix}\nrun 50\n")
+    command = "uncompute" if part == "pace_CRITICAL" else "unfix"
+    (tmp_path / "in.unfix").write_text(script + f"{command} {part}\nrun 50\n")
     arguments = conftest.runner.command(lmp, "in.unfix", {}, "log.unfix", 1)
     done = subprocess.run(arguments, cwd=tmp_path, env=conftest.runner.environment(), text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode != 0:
-        assert done.returncode > 0 and fix in conftest.logfile.error_message(done.stdout), done.stdout[-2000:]
+    if TAKEN_AWAY[part]:
+        assert done.returncode > 0 and done.stdout.count("ERROR") == 1, done.stdout[-2000:]
+        assert part in conftest.logfile.error_message(done.stdout), done.stdout[-2000:]
     else:
-        assert last_row(conftest.Run(0, done.stdout, (tmp_path / "log.unfix").read_text())) == usual
+        assert last_row(conftest.Run(done.returncode, done.stdout, (tmp_path / "log.unfix").read_text())) == usual
 
 
 def test_bonds_shorter_than_the_spacing(run_lammps):
