@@ -135,6 +135,13 @@ void FixPotdemContacts::post_run()
   stored = true;
 }
 
+// with newton on LAMMPS asks the rank that has the pair in its list for what the other's owner is to keep, in a way that
+// comm_style tiled does not know. Here both owners know from the beginning, and it does not change
+void FixPotdemContacts::pre_exchange_newton()
+{
+  pre_exchange_no_newton();
+}
+
 // what the particles know of pairs that their list does not have
 void FixPotdemContacts::set_aside()
 {

@@ -51,6 +51,9 @@ class FixPotdemContacts : public FixNeighHistory {
   bool any() const { return remembering > 0; }
   double distance(int i, int jj) const { return firstflag[i][jj] ? firstvalue[i][jj] : 0.0; }
 
+ protected:
+  void pre_exchange_newton() override;
+
  private:
   std::vector<PotdemNewContact> expected;    // the same on all ranks
   struct Aside {

@@ -375,6 +375,9 @@ EVENTS = {
     "bonds fail that overlap, balanced": Event(
         torn(1.2, skin=0.05), BREAKING, "fix bal all balance 5 1.0 shift xyz 20 1.0\nrun 33\n",
         every(more("f_fail"), more("E_vdwl"))),
+    "bonds fail that overlap, in tiled domains": Event(
+        torn(1.2, skin=0.05), "comm_style tiled\n" + BREAKING, "fix bal all balance 5 1.0 rcb\nrun 33\n",
+        every(more("f_fail"), more("E_vdwl"))),
     "bonds fail that overlap, then a second run": Event(torn(1.2), BREAKING, "run 30\nrun 4\n",
                                                         every(more("f_fail"), more("E_vdwl"))),
     # bonding anew
