@@ -431,7 +431,7 @@ BAD = {
     "not a material file": ("potdem_material own.txt soft E E", ["'own.txt'", ".potdem"]),
     "unknown property": ("units si\npotdem_material own.potdem soft rho r", ["'rho'", "density"]),
     "variable left out": ("units si\npotdem_material own.potdem soft density", ["potdem_material", "missing"]),
-    "variable of another kind": ("units si\nvariable r index 1\npotdem_material own.potdem soft density r", ["different style"]),
+    "variable of another kind": ("units si\nvariable r index 1\npotdem_material own.potdem soft density r", ["Cannot redefine", "variable", "style"]),
 }
 
 
