@@ -23,9 +23,9 @@ endif()
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
 # LAMMPS writes style_pair.h etc. from these lists; ours go in before it reads them
-set(POTDEM_STYLES_DIR ${PROJECT_SOURCE_DIR}/src/styles)
+set(POTDEM_STYLES_HEADER ${PROJECT_SOURCE_DIR}/src/lammps/potdem_styles.h)
 foreach(kind PAIR BOND FIX COMPUTE COMMAND)
-  set_property(GLOBAL APPEND PROPERTY ${kind} ${POTDEM_STYLES_DIR}/potdem_styles.h)
+  set_property(GLOBAL APPEND PROPERTY ${kind} ${POTDEM_STYLES_HEADER})
 endforeach()
 
 add_subdirectory(${POTDEM_LAMMPS_DIR}/cmake lammps)
@@ -33,7 +33,7 @@ get_target_property(POTDEM_LAMMPS_INCLUDES lammps INCLUDE_DIRECTORIES)
 
 # what a source of this package is compiled with, in liblammps and in the plugin alike
 function(potdem_compile_settings target)
-  target_include_directories(${target} PRIVATE ${POTDEM_STYLES_DIR} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_include_directories(${target} SYSTEM PRIVATE ${POTDEM_LAMMPS_INCLUDES})
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
@@ -45,10 +45,10 @@ endfunction()
 
 # core knows nothing of LAMMPS: unittest compiles it alone
 file(GLOB_RECURSE POTDEM_CORE_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/core/*.cpp)
-file(GLOB POTDEM_SOURCES CONFIGURE_DEPENDS ${POTDEM_STYLES_DIR}/*.cpp)
+file(GLOB POTDEM_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/lammps/*/*.cpp)
 list(APPEND POTDEM_SOURCES ${POTDEM_CORE_SOURCES})
 add_library(potdem OBJECT ${POTDEM_SOURCES})
 set_target_properties(potdem PROPERTIES POSITION_INDEPENDENT_CODE ON)
 potdem_compile_settings(potdem)
 target_sources(lammps PRIVATE $<TARGET_OBJECTS:potdem>)
-target_include_directories(lammps PRIVATE ${POTDEM_STYLES_DIR} ${PROJECT_SOURCE_DIR}/src)
+target_include_directories(lammps PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/lammps)

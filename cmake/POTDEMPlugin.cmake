@@ -12,7 +12,7 @@ function(potdem_shared_object target)
 endfunction()
 
 function(potdem_plugin target styles version)
-  add_library(${target} MODULE ${PROJECT_SOURCE_DIR}/src/plugin.cpp)
+  add_library(${target} MODULE ${PROJECT_SOURCE_DIR}/src/lammps/plugin.cpp)
   potdem_shared_object(${target})
   target_compile_definitions(${target} PRIVATE POTDEM_PLUGIN_LAMMPS_VERSION="${version}"
     POTDEM_PLUGIN_STYLES="$<TARGET_FILE_NAME:${styles}>")
@@ -20,7 +20,7 @@ function(potdem_plugin target styles version)
   add_dependencies(${target} ${styles})
 endfunction()
 
-add_library(potdemstyles MODULE ${PROJECT_SOURCE_DIR}/src/plugin_styles.cpp ${POTDEM_SOURCES})
+add_library(potdemstyles MODULE ${PROJECT_SOURCE_DIR}/src/lammps/plugin_styles.cpp ${POTDEM_SOURCES})
 potdem_shared_object(potdemstyles)
 target_compile_definitions(potdemstyles PRIVATE POTDEM_PLUGIN_LAMMPS_VERSION="${POTDEM_LAMMPS_VERSION}")
 potdem_plugin(potdemplugin potdemstyles ${POTDEM_LAMMPS_VERSION})

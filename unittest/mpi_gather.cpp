@@ -6,7 +6,7 @@
 // What the ranks of fix potdem/failure tell each other, at sizes that no run of a test reaches.
 // Usage: mpirun -np N mpi_gather few | bytes | items     prints 'right' or LAMMPS's error
 
-#include "potdem_gather.h"
+#include "lammps/glue/potdem_gather.h"
 
 #include "lammps.h"
 

@@ -4,7 +4,7 @@
 #ifndef POTDEM_TEST_REFERENCE_H
 #define POTDEM_TEST_REFERENCE_H
 
-#include "laws/evaluation.h"
+#include "core/laws/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "laws/continued.h"
-#include "laws/regularised_granular.h"
-#include "laws/shifted_lj.h"
-#include "laws/wall.h"
+#include "core/laws/continued.h"
+#include "core/laws/regularised_granular.h"
+#include "core/laws/shifted_lj.h"
+#include "core/laws/wall.h"
 
 #include "reference.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 const double dbar = 1.0, alpha = 0.2, r0 = 0.8;
 
-Pairing touching()
+ContactGeometry contact_only()
 {
   return {0.5, 0.5, dbar};
 }
@@ -39,7 +39,7 @@ TEST(Continued, LeavesTheRestOfTheLawAsItIs)
   for_each_law([](const auto &law, const auto &straight, double least) {
     for (const double r : {r0 + 1.0001 * least, r0 + 1.1 * least, r0 + 0.25, 1.3, 2.5}) {
       if (r < r0 + least) continue;
-      const auto a = law.evaluate(r, touching()), b = straight.evaluate(r, touching());
+      const auto a = law.evaluate(r, contact_only()), b = straight.evaluate(r, contact_only());
       EXPECT_EQ(a.energy, b.energy);
       EXPECT_EQ(a.force, b.force);
       EXPECT_EQ(a.stiffness, b.stiffness);
@@ -53,7 +53,7 @@ TEST(Continued, ForceAndStiffnessAreTheDerivatives)
     for (const double r : {0.01, 0.3, r0 - 0.1, r0, r0 + 0.5 * least, r0 + 0.99 * least})
       reference::expect_derivatives(
           [&](double t) {
-            return straight.evaluate(t, touching());
+            return straight.evaluate(t, contact_only());
           },
           r, 1e-3);
   });
@@ -62,9 +62,9 @@ TEST(Continued, ForceAndStiffnessAreTheDerivatives)
 TEST(Continued, StaysAtTheStiffnessWhereItBegins)
 {
   for_each_law([](const auto &law, const auto &straight, double least) {
-    const auto edge = law.evaluate(r0 + least, touching());
+    const auto edge = law.evaluate(r0 + least, contact_only());
     for (const double r : {0.0, 0.5, r0, r0 + 0.9 * least}) {
-      const auto at = straight.evaluate(r, touching());
+      const auto at = straight.evaluate(r, contact_only());
       // r0 + least is rounded, and the law is steep
       EXPECT_NEAR(at.stiffness, edge.stiffness, 1e-12 * edge.stiffness);
       EXPECT_NEAR(at.force, edge.force + edge.stiffness * (r0 + least - r), 1e-12 * at.force);
@@ -77,8 +77,8 @@ TEST(Continued, HasNoJump)
 {
   for_each_law([](const auto &, const auto &straight, double least) {
     const double width = 1e-9;
-    const auto below = straight.evaluate(r0 + least - width, touching());
-    const auto above = straight.evaluate(r0 + least + width, touching());
+    const auto below = straight.evaluate(r0 + least - width, contact_only());
+    const auto above = straight.evaluate(r0 + least + width, contact_only());
     EXPECT_NEAR(below.energy - above.energy, 2.0 * width * above.force, 1e-5 * width * above.force);
     EXPECT_NEAR(below.force - above.force, 2.0 * width * above.stiffness,
                 1e-5 * width * above.stiffness);
@@ -88,8 +88,8 @@ TEST(Continued, HasNoJump)
 TEST(Continued, ReachesTheCentre)
 {
   for_each_law([](const auto &law, const auto &straight, double) {
-    EXPECT_DOUBLE_EQ(law.core(touching()), r0);
-    EXPECT_EQ(straight.core(touching()), 0.0);
+    EXPECT_DOUBLE_EQ(law.hard_core(contact_only()), r0);
+    EXPECT_EQ(straight.hard_core(contact_only()), 0.0);
   });
 }
 
@@ -97,7 +97,7 @@ TEST(Continued, ServesWalls)
 {
   RegularisedGranular law{300.0, 4.0, alpha, 3.0, 0.5};
   const LawWall<RegularisedGranular> wall{law, law.kernel(false)};
-  EXPECT_EQ(wall.core(0.5), 0.0);
+  EXPECT_EQ(wall.hard_core(0.5), 0.0);
   reference::expect_derivatives(
       [&](double z) {
         return wall.evaluate(z, 0.5);

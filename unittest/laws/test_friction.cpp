@@ -1,4 +1,4 @@
-#include "laws/friction.h"
+#include "core/laws/friction.h"
 
 #include <gtest/gtest.h>
 

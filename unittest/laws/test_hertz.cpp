@@ -1,4 +1,4 @@
-#include "laws/hertz.h"
+#include "core/laws/hertz.h"
 
 #include "reference.h"
 
@@ -17,7 +17,7 @@ const Material materials[] = {{1e2, 0.0},  {5e7, 0.45}, {2.1e11, 0.3},
 const double diameters[][2] = {{1.0, 1.0}, {0.02, 0.4}, {20.0, 1.0}, {1e-6, 1e-6}};
 const double overlaps[] = {1e-8, 1e-5, 1e-3, 0.1, 0.5, 0.9};    // over the smaller diameter
 
-Pairing touching(const double d[2])
+ContactGeometry contact_only(const double d[2])
 {
   return {0.5 * d[0], 0.5 * d[1], 0.5 * (d[0] + d[1])};
 }
@@ -36,7 +36,7 @@ TEST(Hertz, IsTheFormula)
   for (const auto &material : materials)
     for (const auto &d : diameters) {
       const auto kernel = Hertz::of(material.E, material.nu).kernel(false);
-      const auto pair = touching(d);
+      const auto pair = contact_only(d);
       for (const double overlap : overlaps) {
         const double r = pair.contact - overlap * std::fmin(d[0], d[1]);
         const long double w = static_cast<long double>(pair.contact) - r,
@@ -58,7 +58,7 @@ TEST(Hertz, EnergyForceAndStiffnessBelongTogether)
   for (const auto &material : materials)
     for (const auto &d : diameters) {
       const auto kernel = Hertz::of(material.E, material.nu).kernel(false);
-      const auto pair = touching(d);
+      const auto pair = contact_only(d);
       for (const double overlap : overlaps) {
         const double w = overlap * std::fmin(d[0], d[1]), r = pair.contact - w;
         // r is rounded before w is taken from it; over the differences' step
@@ -76,7 +76,7 @@ TEST(Hertz, NothingFromTheContactDistanceOn)
 {
   for (const auto &d : diameters) {
     const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
-    const auto pair = touching(d);
+    const auto pair = contact_only(d);
     EXPECT_EQ(Hertz::reach(pair.dbar()), pair.dbar());
     for (const double r : {pair.contact, std::nextafter(pair.contact, 100.0), 2.0 * pair.contact}) {
       const auto at = kernel.evaluate(r, pair);
@@ -90,7 +90,7 @@ TEST(Hertz, NothingFromTheContactDistanceOn)
 TEST(Hertz, StartsFromNothing)
 {
   const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
-  const Pairing pair{0.5, 0.5, 1.0};
+  const ContactGeometry pair{0.5, 0.5, 1.0};
   const auto at = kernel.evaluate(std::nextafter(1.0, 0.0), pair);
   EXPECT_GT(at.force, 0.0);
   EXPECT_LT(at.force, 1e7 * 1e-23);       // w = 1.1e-16: w^1.5 = 1.2e-24
@@ -107,17 +107,17 @@ TEST(Hertz, TwoMaterials)
 
 TEST(Hertz, EffectiveRadius)
 {
-  const Pairing pair{0.01, 0.2, 0.21};
+  const ContactGeometry pair{0.01, 0.2, 0.21};
   EXPECT_DOUBLE_EQ(pair.effective_radius(), 1.0 / (1.0 / 0.01 + 1.0 / 0.2));
   // a plane: the sphere's own radius; what remains is 1e-9
-  EXPECT_NEAR((Pairing{0.01, 1e7, 1e7}.effective_radius()), 0.01, 2e-11);
+  EXPECT_NEAR((ContactGeometry{0.01, 1e7, 1e7}.effective_radius()), 0.01, 2e-11);
 }
 
 // a pair that failed while it overlapped starts from zero at its distance of failure; its radii stay
 TEST(Hertz, AShorterContactDistance)
 {
   const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
-  const Pairing full{0.5, 0.25, 0.75}, failed{0.5, 0.25, 0.625};
+  const ContactGeometry full{0.5, 0.25, 0.75}, failed{0.5, 0.25, 0.625};
   EXPECT_EQ(kernel.evaluate(0.625, failed).force, 0.0);
   for (const double w : {0.0625, 0.25}) {    // exact in binary
     EXPECT_EQ(kernel.evaluate(0.75 - w, full).force, kernel.evaluate(0.625 - w, failed).force);
@@ -128,7 +128,7 @@ TEST(Hertz, AShorterContactDistance)
 // --- eq. 5.17: F = K w^(3/2) + K H w^(1/2) dw/dt ------------------------------------------------------
 
 constexpr double H = 0.02, E = 4e6, nu = 0.25, r = 0.9;
-const Pairing spheres{0.5, 0.5, 1.0};
+const ContactGeometry spheres{0.5, 0.5, 1.0};
 
 double total(bool attract, double rate)
 {

@@ -1,4 +1,4 @@
-#include "laws/hertz_wall.h"
+#include "core/laws/hertz_wall.h"
 
 #include "reference.h"
 

@@ -1,4 +1,4 @@
-#include "laws/power.h"
+#include "core/laws/power.h"
 
 #include <gtest/gtest.h>
 

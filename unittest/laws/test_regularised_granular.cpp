@@ -1,4 +1,4 @@
-#include "laws/regularised_granular.h"
+#include "core/laws/regularised_granular.h"
 
 #include "reference.h"
 
@@ -23,7 +23,7 @@ RegularisedGranular law_of(const Domain &domain, double n)
   return {domain.K0, n, domain.alpha, RegularisedGranular::default_cut(n)};
 }
 
-Pairing touching(const Domain &domain)
+ContactGeometry contact_only(const Domain &domain)
 {
   return {0.5 * domain.di, 0.5 * domain.dj, 0.5 * (domain.di + domain.dj)};
 }
@@ -33,7 +33,7 @@ TEST(RegularisedGranular, IsTheFormula)
 {
   for (const auto &domain : domains)
     for (const double n : exponents) {
-      const auto pair = touching(domain);
+      const auto pair = contact_only(domain);
       const auto law = law_of(domain, n);
       const auto kernel = law.kernel(false);
       const long double first = static_cast<long double>(domain.alpha) * pair.dbar();
@@ -58,11 +58,11 @@ TEST(RegularisedGranular, EnergyForceAndStiffnessBelongTogether)
   for (const auto &domain : domains)
     for (const double n : exponents)
       for (const bool shift : {false, true}) {
-        const auto pair = touching(domain);
+        const auto pair = contact_only(domain);
         const auto law = law_of(domain, n);
         const auto kernel = law.kernel(shift);
         for (const double place : places) {
-          const double s = place * domain.alpha * pair.dbar(), r = kernel.core(pair) + s;
+          const double s = place * domain.alpha * pair.dbar(), r = kernel.hard_core(pair) + s;
           const double scale = s / (n + 5.0);
           if (s + 4e-3 * scale >= law.cut * domain.alpha * pair.dbar()) continue;
           // r is rounded before s is taken from it: 1e-16 r over the differences' step
@@ -80,7 +80,7 @@ TEST(RegularisedGranular, StiffnessK0AtFirstContact)
 {
   for (const auto &domain : domains)
     for (const double n : exponents) {
-      const auto pair = touching(domain);
+      const auto pair = contact_only(domain);
       const auto at = law_of(domain, n).kernel(false).evaluate(pair.dbar(), pair);
       const double rounded = 4e-16 * (n + 1.0) / domain.alpha + 1e-14;
       EXPECT_NEAR(at.stiffness, domain.K0, rounded * domain.K0);
@@ -93,7 +93,7 @@ TEST(RegularisedGranular, TheDefaultCutIsWhereAThousandthIsLeft)
 {
   for (const auto &domain : domains)
     for (const double n : exponents) {
-      const auto pair = touching(domain);
+      const auto pair = contact_only(domain);
       const auto law = law_of(domain, n);
       const auto kernel = law.kernel(false);
       const double reach = law.reach(pair.dbar()), first = kernel.evaluate(pair.dbar(), pair).force;
@@ -115,7 +115,7 @@ TEST(RegularisedGranular, TheShiftMakesTheEnergyZeroAtTheCutAndNothingElse)
   for (const auto &domain : domains)
     for (const double n : exponents)
       for (const double cut : {1.01, 1.5, 4.0}) {
-        const auto pair = touching(domain);
+        const auto pair = contact_only(domain);
         const RegularisedGranular law{domain.K0, n, domain.alpha, cut};
         const auto plain = law.kernel(false), shifted = law.kernel(true);
         const double below = law.reach(pair.dbar()) * (1.0 - 1e-12);
@@ -140,10 +140,10 @@ TEST(RegularisedGranular, NeverAttractsAndCannotPassTheCore)
   const Domain domain = domains[0];
   for (const double n : exponents) {
     const auto kernel = law_of(domain, n).kernel(false);
-    const auto pair = touching(domain);
+    const auto pair = contact_only(domain);
     double previous = 0.0;
     for (double s = 3.0; s > 1e-12; s *= 0.7) {
-      const auto at = kernel.evaluate(kernel.core(pair) + 0.1 * s, pair);
+      const auto at = kernel.evaluate(kernel.hard_core(pair) + 0.1 * s, pair);
       EXPECT_GE(at.force, previous);
       EXPECT_GE(at.stiffness, 0.0);
       previous = at.force;
@@ -155,7 +155,7 @@ TEST(RegularisedGranular, NeverAttractsAndCannotPassTheCore)
 TEST(RegularisedGranular, AShorterContactDistanceMovesTheLaw)
 {
   const auto kernel = law_of({10.0, 0.25, 1.0, 1.0}, 3.0).kernel(false);
-  const Pairing full{0.5, 0.5, 1.0}, failed{0.5, 0.5, 0.875};
+  const ContactGeometry full{0.5, 0.5, 1.0}, failed{0.5, 0.5, 0.875};
   for (const double r : {0.8, 0.95, 1.0, 1.1}) {
     const auto a = kernel.evaluate(r, full), b = kernel.evaluate(r - 0.125, failed);
     EXPECT_GT(a.force, 0.0);

@@ -1,4 +1,4 @@
-#include "laws/shifted_lj.h"
+#include "core/laws/shifted_lj.h"
 
 #include "reference.h"
 
@@ -19,7 +19,7 @@ ShiftedLJ law_of(double K0, double R, double n, double alpha)
   return {K0, R, n, alpha, ShiftedLJ::default_cut(R, n)};
 }
 
-Pairing touching(double di, double dj)
+ContactGeometry contact_only(double di, double dj)
 {
   return {0.5 * di, 0.5 * dj, 0.5 * (di + dj)};
 }
@@ -40,13 +40,13 @@ struct Formula {
 TEST(ShiftedLJ, IsTheFormula)
 {
   const double R = 0.013, dbar = 0.2, alpha = 0.3;
-  const auto pair = touching(dbar, dbar);
+  const auto pair = contact_only(dbar, dbar);
   for (const double K0 : {1e-3, 1e2, 1e7})
     for (const double n : exponents) {
       const auto law = law_of(K0, R, n, alpha);
       const auto kernel = law.kernel(false);
       for (const double place : places) {
-        const double r = kernel.core(pair) + place * R, s = r - kernel.core(pair);
+        const double r = kernel.hard_core(pair) + place * R, s = r - kernel.hard_core(pair);
         if (s >= law.cut) continue;
         const Formula formula{K0, R, n};
         const auto at = kernel.evaluate(r, pair);
@@ -77,12 +77,12 @@ TEST(ShiftedLJ, EnergyForceAndStiffnessBelongTogether)
   for (const auto &domain : domains)
     for (const double n : exponents)
       for (const bool shift : {false, true}) {
-        const auto pair = touching(domain.di, domain.dj);
+        const auto pair = contact_only(domain.di, domain.dj);
         const double R = domain.alpha * pair.dbar();    // equilibrium at first contact
         const auto law = law_of(domain.K0, R, n, domain.alpha);
         const auto kernel = law.kernel(shift);
         for (const double place : places) {
-          const double s = place * R, r = kernel.core(pair) + s;
+          const double s = place * R, r = kernel.hard_core(pair) + s;
           double scale = s / (2.0 * n + 5.0);
           if (s + 4e-3 * scale >= law.cut) continue;
           // r is rounded before s is taken from it: 1e-16 r over the differences' step
@@ -100,10 +100,10 @@ TEST(ShiftedLJ, AtRNoForceAndTheStiffnessK0)
 {
   for (const auto &domain : domains)
     for (const double n : exponents) {
-      const auto pair = touching(domain.di, domain.dj);
+      const auto pair = contact_only(domain.di, domain.dj);
       const double R = 0.25 * pair.dbar();    // exact in binary, and so is the place of equilibrium
       const auto kernel = ShiftedLJ{domain.K0, R, n, 0.25, 2.0 * R}.kernel(false);
-      const double r = kernel.core(pair) + R;
+      const double r = kernel.hard_core(pair) + R;
       const auto at = kernel.evaluate(r, pair);
       // s is R but for the rounding of r, at most 4 units of R
       EXPECT_NEAR(at.force, 0.0, 1e-15 * domain.K0 * R);
@@ -129,12 +129,12 @@ TEST(ShiftedLJ, TheDefaultCutIsTheLargestAttraction)
 
 TEST(ShiftedLJ, NothingFromTheCutOn)
 {
-  const auto pair = touching(1.0, 3.0);
+  const auto pair = contact_only(1.0, 3.0);
   for (const double n : exponents)
     for (const bool shift : {false, true}) {
       const auto law = law_of(100.0, 0.25, n, 0.125);
       const auto kernel = law.kernel(shift);
-      EXPECT_DOUBLE_EQ(law.reach(pair.dbar()), kernel.core(pair) + law.cut);
+      EXPECT_DOUBLE_EQ(law.reach(pair.dbar()), kernel.hard_core(pair) + law.cut);
       for (const double beyond : {1e-14, 0.01, 3.0}) {
         const auto at = kernel.evaluate(law.reach(pair.dbar()) * (1.0 + beyond), pair);
         EXPECT_EQ(at.energy, 0.0);
@@ -148,7 +148,7 @@ TEST(ShiftedLJ, NothingFromTheCutOn)
 
 TEST(ShiftedLJ, TheShiftMakesTheEnergyZeroAtTheCutAndNothingElse)
 {
-  const auto pair = touching(1.0, 1.0);
+  const auto pair = contact_only(1.0, 1.0);
   for (const double n : exponents)
     for (const double cut_over_R : {0.8, 1.0, 1.05, 2.5}) {
       const double R = 0.2, K0 = 30.0;
@@ -190,7 +190,7 @@ TEST(ShiftedLJ, TwoParticlesCannotPassTheCore)
 TEST(ShiftedLJ, AShorterContactDistanceMovesTheLaw)
 {
   const auto kernel = law_of(10.0, 0.25, 3.0, 0.25).kernel(false);
-  const Pairing full{0.5, 0.5, 1.0}, failed{0.5, 0.5, 0.875};
+  const ContactGeometry full{0.5, 0.5, 1.0}, failed{0.5, 0.5, 0.875};
   for (const double r : {0.8, 0.95, 1.0, 1.02}) {
     const auto a = kernel.evaluate(r, full), b = kernel.evaluate(r - 0.125, failed);
     EXPECT_NEAR(a.force, b.force, 1e-13 * 10.0);

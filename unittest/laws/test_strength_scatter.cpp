@@ -1,6 +1,6 @@
 // Scatter of strengths: its distribution against the exact one, and that it belongs to the bond alone.
 
-#include "laws/strength_scatter.h"
+#include "core/laws/strength_scatter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "laws/pairing.h"
-#include "laws/truss.h"
+#include "core/laws/contact_geometry.h"
+#include "core/laws/truss.h"
 
 #include "reference.h"
 

@@ -1,8 +1,8 @@
-#include "laws/hertz.h"
-#include "laws/regularised_granular.h"
-#include "laws/shifted_lj.h"
-#include "laws/truss_contact.h"
-#include "laws/turning_point.h"
+#include "core/laws/hertz.h"
+#include "core/laws/regularised_granular.h"
+#include "core/laws/shifted_lj.h"
+#include "core/laws/truss_contact.h"
+#include "core/stability/turning_point.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@ using namespace POTDEM;
 
 namespace {
 
-const Pairing spheres{0.5, 0.5, 1.0};
+const ContactGeometry spheres{0.5, 0.5, 1.0};
 
 template <class Kernel> double turn(const Kernel &kernel, double outer, double kinetic)
 {
-  return turning_point(outer, kernel.core(spheres), kinetic, [&kernel](double r) {
+  return turning_point(outer, kernel.hard_core(spheres), kinetic, [&kernel](double r) {
     return kernel.evaluate(r, spheres);
   });
 }
@@ -41,7 +41,7 @@ TEST(TurningPoint, OfEveryLaw)
 {
   const auto check = [](const auto &law) {
     const auto kernel = law.kernel(false);
-    const double most = law.reach(1.0), core = kernel.core(spheres);
+    const double most = law.reach(1.0), core = kernel.hard_core(spheres);
     for (const double share : {1.0, 0.9, 0.6})
       for (double kinetic = 1e-9; kinetic < 1e3; kinetic *= 10.0) {
         const double outer = core + share * (most - core), r = turn(kernel, outer, kinetic);

@@ -19,7 +19,7 @@ NOWHERE = "file:///no/such/place"
 
 def styles(root):
     """(kind, name) of each style in the registration table"""
-    table = (root / "src" / "styles" / "potdem_styles.h").read_text()
+    table = (root / "src" / "lammps" / "potdem_styles.h").read_text()
     return [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
 
 
@@ -215,7 +215,7 @@ def test_clang_has_no_warnings(root, build):
         return re.findall(r"^.*(?:warning|error): .*", done.stdout, re.MULTILINE)
 
     ours = commands(root, build)
-    assert len(ours) >= len(list((root / "src" / "styles").glob("*.cpp")))
+    assert len(ours) >= len(list((root / "src" / "lammps").rglob("*/*.cpp")))
     with ThreadPoolExecutor(2) as workers:
         found = {line for lines in workers.map(complaints, ours.values()) for line in lines}
     assert sorted(found) == []

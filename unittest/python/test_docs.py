@@ -54,7 +54,7 @@ run 20
 
 def registered_styles():
     """(kind, name) of the styles a user can name"""
-    table = (ROOT / "src" / "styles" / "potdem_styles.h").read_text()
+    table = (ROOT / "src" / "lammps" / "potdem_styles.h").read_text()
     found = [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
     return [(kind, name) for kind, name in found if not name.isupper()]
 
@@ -139,7 +139,7 @@ def test_page_names_the_variant_on_threads(kind, name):
 @pytest.mark.parametrize("kind, name", STYLES, ids=[f"{kind}-{name}" for kind, name in STYLES])
 def test_page_names_every_keyword_that_the_style_reads(kind, name):
     stem = page_of(kind, name).stem
-    source = ROOT / "src" / "styles" / f"{stem if kind != 'command' else name}.cpp"
+    (source,) = (ROOT / "src" / "lammps").rglob(f"{stem if kind != 'command' else name}.cpp")
     text = source.read_text()
     keywords = re.findall(r'next_is\("(\w+)"\)', text)
     # those that potdem_input.cpp reads for several styles
@@ -200,7 +200,7 @@ def test_links_lead_somewhere(page):
 
 @pytest.mark.parametrize("page", [README, *PAGES], ids=lambda page: page.name)
 def test_files_named_in_tables_exist(page):
-    for name in re.findall(r"`((?:laws|styles)/\w+\.(?:h|cpp))`", page.read_text(encoding="utf-8")):
+    for name in re.findall(r"`((?:core|lammps)/[\w/]+\.(?:h|cpp))`", page.read_text(encoding="utf-8")):
         assert (ROOT / "src" / name).exists(), f"{name} does not exist"
 
 

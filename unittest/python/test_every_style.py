@@ -27,7 +27,7 @@ run 2
 info fixes system
 """
     text = run_lammps(script).stdout
-    for name in ("POTDEM_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_WATCH"):
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
         assert name in text
 
 

@@ -50,7 +50,7 @@ def test_velocities_of_ghosts_only_for_what_slides_or_is_viscous(run_lammps, scr
 
 def test_internal_fixes_only_where_they_are_used(run_lammps):
     """(DUMMY, LAMMPS's fix that does nothing, holds a place for POTDEM_CONTACTS where the atom style has bonds)"""
-    assert fixes(run_lammps(grains() + INFO)) == {"nve", "POTDEM_WATCH", "POTDEM_REFRESH", "DUMMY"}
+    assert fixes(run_lammps(grains() + INFO)) == {"nve", "POTDEM_MONITOR", "POTDEM_REFRESH", "DUMMY"}
     bonded = fixes(run_lammps(body() + INFO))
     assert "POTDEM_BOND_HISTORY" in bonded and "POTDEM_CONTACTS" in bonded and "POTDEM_LEDGER" not in bonded
     assert "POTDEM_LEDGER" in fixes(run_lammps(grains(more="compute ledger all potdem/energy") + INFO))

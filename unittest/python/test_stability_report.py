@@ -13,7 +13,7 @@ import stability  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_page  # noqa: E402
 
-OURS = "WARNING: The contact of atoms 1 and 2 on step 30 is so stiff that ... (src/styles/potdem_watch.cpp:188)\n"
+OURS = "WARNING: The contact of atoms 1 and 2 on step 30 is so stiff that ... (src/lammps/output/fix_potdem_monitor.cpp:188)\n"
 LAMMPS_OWN = "WARNING: No fixes with time integration, atoms won't move (src/verlet.cpp:60)\n"
 HEADER = "Step Time Dt c_ledger " + " ".join(f"c_ledger[{k}]" for k in range(1, 11)) + " v_stray"
 

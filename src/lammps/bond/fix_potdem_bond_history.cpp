@@ -1,0 +1,322 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "lammps/bond/fix_potdem_bond_history.h"
+
+#include "core/laws/truss.h"
+#include "lammps/bond/bond_potdem_truss.h"
+#include "lammps/glue/lammps_compat.h"
+#include "lammps/glue/potdem_gather.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "math_extra.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static constexpr char STORE_ID[] = "POTDEM_BONDS";
+static constexpr double RESTART_VERSION = 2.0;
+
+/* ---------------------------------------------------------------------- */
+
+FixPotdemBondHistory *FixPotdemBondHistory::find(LAMMPS *lmp)
+{
+  return dynamic_cast<FixPotdemBondHistory *>(lmp->modify->get_fix_by_id(STORE_ID));
+}
+
+// LAMMPS fixes the number of bonds per atom when the box is created, perhaps at none
+FixPotdemBondHistory *FixPotdemBondHistory::create(LAMMPS *lmp)
+{
+  if (lmp->atom->bond_per_atom == 0) {
+    lmp->atom->bond_per_atom = 1;
+    lmp->atom->avec->grow(lmp->atom->nmax);
+  }
+  return dynamic_cast<FixPotdemBondHistory *>(lmp->modify->add_fix(
+      fmt::format("{} all POTDEM_BOND_HISTORY 0 {}", STORE_ID, static_cast<int>(NDATA))));
+}
+
+FixPotdemBondHistory *FixPotdemBondHistory::ensure(LAMMPS *lmp)
+{
+  const auto *const bond = BondPotdemTruss::find(lmp);
+  if (find(lmp) || (bond && bond->lost_memory())) return get(lmp, "bond_style potdem/truss");
+  return create(lmp);
+}
+
+FixPotdemBondHistory *FixPotdemBondHistory::get(LAMMPS *lmp, const std::string &who)
+{
+  auto *const store = find(lmp);
+  if (!store || !store->intact())
+    lmp->error->all(
+        FLERR,
+        "{}: fix {}, in which the bonds remember their reference lengths, was removed with "
+        "unfix: leave it, or begin anew with the undeformed body",
+        who, store ? store->id_fix : STORE_ID);
+  return store;
+}
+
+// the values themselves are kept by a fix property/atom
+bool FixPotdemBondHistory::intact() const
+{
+  int is_double, columns;
+  return atom->find_custom(&id_array[3], is_double, columns) == index;
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
+    FixBondHistory(lmp, narg, arg), generation(0), ghost_cutoff(-1.0),
+    all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
+{
+  setflag = all_types.data();
+}
+
+// not when LAMMPS ends
+FixPotdemBondHistory::~FixPotdemBondHistory()
+{
+  if (!force) return;
+  if (auto *const bond = BondPotdemTruss::find(lmp)) bond->lose_memory();
+}
+
+int FixPotdemBondHistory::setmask()
+{
+  return POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+}
+
+void FixPotdemBondHistory::setup_post_neighbor()
+{
+  post_neighbor();
+}
+
+// the readers take what they need from the per-atom data themselves, in the order they need it
+void FixPotdemBondHistory::post_neighbor()
+{
+  generation++;
+}
+
+void FixPotdemBondHistory::min_post_neighbor()
+{
+  post_neighbor();
+}
+
+double **FixPotdemBondHistory::values() const
+{
+  return atom->darray[index];
+}
+
+void FixPotdemBondHistory::store(int i, int m, double length, double section, double area)
+{
+  update_atom_value(i, m, LENGTH, length);
+  update_atom_value(i, m, SECTION, section);
+  update_atom_value(i, m, AREA, area);
+}
+
+void FixPotdemBondHistory::store_area(int i, int m, double area)
+{
+  update_atom_value(i, m, AREA, area);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixPotdemBondHistory::is_new(int i, int m) const
+{
+  return length(i, m) == 0.0 && atom->bond_type[i][m] > 0;
+}
+
+bool FixPotdemBondHistory::has_new_bonds() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (is_new(i, m)) return true;
+  return false;
+}
+
+double FixPotdemBondHistory::longest() const
+{
+  double mine = longest_new_bond(), all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) mine = MAX(mine, length(i, m));
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
+   before there are ghosts that reach far enough: the partner may be a particle of any rank
+------------------------------------------------------------------------- */
+
+double FixPotdemBondHistory::longest_new_bond() const
+{
+  struct Place {
+    tagint tag;
+    double x[3];
+  };
+  const auto here = [this](tagint partner) {
+    const int j = atom->map(partner);
+    return j < atom->nlocal ? j : -1;
+  };
+  std::vector<Place> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (is_new(i, m) && here(atom->bond_atom[i][m]) < 0) {
+        mine.push_back({atom->tag[i], {atom->x[i][0], atom->x[i][1], atom->x[i][2]}});
+        break;
+      }
+  std::unordered_map<tagint, const double *> places;
+  const auto all = potdem_gather(lmp, mine);
+  for (const auto &place : all) places[place.tag] = place.x;
+
+  double most = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (!is_new(i, m)) continue;
+      const int j = here(atom->bond_atom[i][m]);
+      const auto elsewhere = places.find(atom->bond_atom[i][m]);
+      if (j < 0 && elsewhere == places.end()) continue;
+      double del[3];
+      MathExtra::sub3(j >= 0 ? atom->x[j] : elsewhere->second, atom->x[i], del);
+      PotdemCompat::minimum_image(domain, del);
+      most = MAX(most, MathExtra::len3(del));
+    }
+  return most;
+}
+
+int FixPotdemBondHistory::slot(int i, tagint partner) const
+{
+  for (int m = 0; m < atom->num_bond[i]; m++)
+    if (atom->bond_atom[i][m] == partner) return m;
+  return -1;
+}
+
+/* ----------------------------------------------------------------------
+   bonds that did not come from potdem_bonds (create_bonds, data file, fix deposit) start from where they are;
+   both ends take the two positions in order of the IDs
+------------------------------------------------------------------------- */
+
+bigint FixPotdemBondHistory::measure_new_bonds()
+{
+  double **x = atom->x;
+  bigint ends = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (!is_new(i, m)) continue;
+      if (slot(i, atom->bond_atom[i][m]) != m)
+        error->one(FLERR,
+                   "Atoms {} and {} are bonded twice: a pair has one truss, make each bond once",
+                   atom->tag[i], atom->bond_atom[i][m]);
+      const int k = atom->map(atom->bond_atom[i][m]);
+      if (k < 0)
+        error->one(
+            FLERR,
+            "Bond partner {} of atom {} is beyond the communication cutoff; increase it with "
+            "comm_modify cutoff",
+            atom->bond_atom[i][m], atom->tag[i]);
+      const int j = domain->closest_image(i, k);
+      const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
+                             x[high][2] - x[low][2]};
+      store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]),
+            POTDEM::truss_section(atom->radius[i] + atom->radius[j]));
+      ends++;
+    }
+  return ends;
+}
+
+/* ---------------------------------------------------------------------- */
+
+// as LAMMPS's own commands do it: the last bond takes the place, in every memory that there is of bonds
+void FixPotdemBondHistory::remove(int i, int m)
+{
+  const int last = --atom->num_bond[i];
+  atom->bond_type[i][m] = atom->bond_type[i][last];
+  atom->bond_atom[i][m] = atom->bond_atom[i][last];
+  for (const auto &fix : modify->get_fix_by_style("BOND_HISTORY")) {
+    auto *const history = dynamic_cast<FixBondHistory *>(fix);
+    history->shift_history(i, m, last);
+    history->delete_history(i, last);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS's restart files keep the communication cutoff, but not whose it is. The files of versions that kept failed bonds
+   in LAMMPS's list have one word here, which is 0 or 1: with this version those bonds would be whole again
+------------------------------------------------------------------------- */
+
+void FixPotdemBondHistory::write_restart(FILE *fp)
+{
+  const double state[2] = {RESTART_VERSION, ghost_cutoff};
+  const int size = sizeof(state);
+  if (comm->me != 0) return;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(state, size, 1, fp);
+}
+
+void FixPotdemBondHistory::restart(char *buf)
+{
+  const auto state = reinterpret_cast<const double *>(buf);
+  if (state[0] != RESTART_VERSION)
+    error->all(FLERR,
+               "The restart file was written by a version of POTDEM that kept failed bonds in it; "
+               "continue it with "
+               "that version, or begin anew");
+  ghost_cutoff = state[1];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemBondHistory::allow_exchange(int width)
+{
+  comm_forward = comm_reverse = width;
+}
+
+void FixPotdemBondHistory::forward(double *data, int width)
+{
+  exchanged = data;
+  exchanged_width = width;
+  comm->forward_comm(this, width);
+}
+
+void FixPotdemBondHistory::reverse(double *data, int width)
+{
+  exchanged = data;
+  exchanged_width = width;
+  comm->reverse_comm(this, width);
+}
+
+int FixPotdemBondHistory::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/,
+                                            int * /*pbc*/)
+{
+  const int w = exchanged_width;
+  for (int k = 0; k < n; k++)
+    std::copy_n(exchanged + w * static_cast<bigint>(list[k]), w, buf + w * k);
+  return n * w;
+}
+
+void FixPotdemBondHistory::unpack_forward_comm(int n, int first, double *buf)
+{
+  const int w = exchanged_width;
+  std::copy_n(buf, n * w, exchanged + w * static_cast<bigint>(first));
+}
+
+int FixPotdemBondHistory::pack_reverse_comm(int n, int first, double *buf)
+{
+  const int w = exchanged_width;
+  std::copy_n(exchanged + w * static_cast<bigint>(first), n * w, buf);
+  return n * w;
+}
+
+void FixPotdemBondHistory::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  const int w = exchanged_width;
+  for (int k = 0; k < n; k++)
+    for (int c = 0; c < w; c++) exchanged[w * static_cast<bigint>(list[k]) + c] += buf[w * k + c];
+}

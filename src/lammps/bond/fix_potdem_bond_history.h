@@ -1,0 +1,84 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What a bond remembers: its reference length and its section, in LAMMPS's own FixBondHistory (which
+   carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's lists.
+   Created by potdem_bonds or bond_style potdem/truss, one per simulation. */
+
+#ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
+#define LMP_FIX_POTDEM_BOND_HISTORY_H
+
+#include "fix_bond_history.h"
+#include "lammps/pair/fix_potdem_contacts.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixPotdemBondHistory : public FixBondHistory {
+ public:
+  // columns. LENGTH: reference length; 0: not measured yet.
+  // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
+  // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again
+  enum { LENGTH, SECTION, AREA, NDATA };
+
+  static FixPotdemBondHistory *find(LAMMPS *);
+  static FixPotdemBondHistory *create(LAMMPS *);
+  static FixPotdemBondHistory *ensure(LAMMPS *);    // error if there was one that is gone
+  static FixPotdemBondHistory *get(LAMMPS *, const std::string &who);    // error if there is none
+
+  FixPotdemBondHistory(LAMMPS *, int, char **);
+  ~FixPotdemBondHistory() override;
+  int setmask() override;
+  void setup_post_neighbor() override;
+  void post_neighbor() override;
+  void min_post_neighbor() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  void store(int i, int slot, double length, double section, double area = 0.0);
+  void store_area(int i, int slot, double area);
+  double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
+  double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
+
+  double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
+
+  bool is_new(int i, int slot) const;    // a live bond without a reference length
+  bool has_new_bonds() const;            // on this rank
+  double longest() const;    // largest reference length on any rank; of new bonds, the present one
+  int slot(int i, tagint partner) const;    // bond of owned atom i with this partner, or -1
+  bigint measure_new_bonds();      // they get the present length; how many there were on this rank
+  void remove(int i, int slot);    // bond of owned atom i
+
+  // pairs that a crack cuts, until the pair styles have taken them
+  std::vector<PotdemNewContact> new_contacts;
+
+  // per-particle values, `width` of them: from the owners to all copies, and summed up by the owners
+  void allow_exchange(int width);    // before Comm::init
+  void forward(double *values, int width);
+  void reverse(double *values, int width);
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+
+  int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
+  double
+      ghost_cutoff;    // the communication cutoff that the bond style set, not the user; < 0: none
+
+ private:
+  std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
+  double *exchanged;
+  int exchanged_width;
+
+  double **values() const;
+  bool intact() const;
+  double longest_new_bond() const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,403 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "lammps/bond/potdem_bonds.h"
+
+#include "core/laws/truss.h"
+#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/potdem_gather.h"
+#include "lammps/glue/potdem_input.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "math_extra.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "region.h"
+#include "special.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace LAMMPS_NS;
+
+// a shell at r_infl belongs to the body, whatever the rounding of its positions, those of a file with few
+// digits included; the shells of a lattice are more than a hundredth apart
+static constexpr double SHELL_TOLERANCE = 1e-4;
+// a crack must be thicker than a bond's length divided by this
+static constexpr int CRACK_SAMPLES = 64;
+
+/* ---------------------------------------------------------------------- */
+
+PotdemBonds::PotdemBonds(LAMMPS *lmp) :
+    Command(lmp), igroup(0), btype(0), reach(0.0), in_diameters(false), region(nullptr)
+{
+}
+
+void PotdemBonds::command(int narg, char **arg)
+{
+  if (!domain->box_exist)
+    error->all(FLERR, "potdem_bonds needs a simulation box: use create_box first");
+  check_style();
+  read(narg, arg);
+  check_atoms();
+  take_over_settings();
+
+  double largest = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & group->bitmask[igroup]) largest = MAX(largest, 2.0 * atom->radius[i]);
+  MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double cutoff = (in_diameters ? reach * all : reach) * (1.0 + 2.0 * SHELL_TOLERANCE);
+  for (int k = 0; k < domain->dimension; k++)
+    if (domain->periodicity[k] && 2.0 * cutoff > domain->prd[k])
+      error->all(
+          FLERR,
+          "potdem_bonds: r_infl {} is more than half the periodic box length {}; make the box "
+          "larger or r_infl smaller",
+          cutoff, domain->prd[k]);
+
+  const auto bonds = find_pairs(neighbours(cutoff));
+  const bigint count = count_bonds(bonds);
+  if (count == 0) found_none(cutoff);
+  make_room(bonds);
+  add(bonds);
+  report(count);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::read(int narg, char **arg)
+{
+  PotdemInput input(lmp, "potdem_bonds", narg, arg);
+  const std::string name = input.word();
+  igroup = group->find(name);
+  if (igroup < 0) input.fail(fmt::format("there is no group '{}'", name));
+  btype = input.bond_type();
+  reach = input.positive("r_infl");
+  while (!input.done()) {
+    if (input.next_is("diameters"))
+      in_diameters = true;
+    else if (input.next_is("crack")) {
+      crack = input.word();
+      region = domain->get_region_by_id(crack);
+      if (!region) input.fail(fmt::format("there is no region '{}'", crack));
+    } else {
+      input.word();
+      input.unknown("diameters or crack");
+    }
+  }
+  if (region) {
+    region->init();
+    region->prematch();
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::check_style()
+{
+  if (!atom->tag_enable || atom->molecular != Atom::MOLECULAR)
+    error->all(FLERR,
+               "potdem_bonds needs an atom style with bonds and IDs, e.g. atom_style bpm/sphere");
+  if (!atom->radius_flag)
+    error->all(FLERR, "potdem_bonds needs particle diameters, e.g. atom_style bpm/sphere");
+}
+
+void PotdemBonds::check_atoms()
+{
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "potdem_bonds: group '{}' is empty", group->names[igroup]);
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & group->bitmask[igroup]) && !(atom->radius[i] > 0.0))
+      error->one(FLERR,
+                 "potdem_bonds: atom {} has diameter {}, it must be > 0; use set ... diameter",
+                 atom->tag[i], 2.0 * atom->radius[i]);
+}
+
+/* ----------------------------------------------------------------------
+   what a truss network asks of LAMMPS, so that the user need not know: each rank must hold all bonds
+   of its atoms (newton off for bonds) and the neighbour list must leave bonded pairs out
+------------------------------------------------------------------------- */
+
+void PotdemBonds::take_over_settings()
+{
+  if (force->newton_bond) {
+    if (atom->nbonds > 0)
+      error->all(
+          FLERR,
+          "potdem_bonds: the bonds that exist were made with newton on for bonds; put 'newton "
+          "on off' before the box is created");
+    force->newton_bond = 0;
+    force->newton = force->newton_pair;
+    if (comm->me == 0) utils::logmesg(lmp, "potdem_bonds: newton off for bonds\n");
+  }
+  const double weights[4] = {1.0, 0.0, 1.0, 1.0};
+  for (int k = 1; k < 4; k++) force->special_lj[k] = force->special_coul[k] = weights[k];
+}
+
+/* ----------------------------------------------------------------------
+   An occasional LAMMPS neighbour list of this cutoff. The user's pair and bond styles stay out of it, so that they may
+   be defined before or after this command: while it lives, a pair style that gives the list its cutoff stands in. They
+   come back whatever is thrown meanwhile, which the user of a library may catch
+------------------------------------------------------------------------- */
+
+namespace {
+class StandIn {
+ public:
+  StandIn(Force *_force, double cutoff) :
+      force(_force), pair(_force->pair), bond(_force->bond), pair_style(_force->pair_style),
+      bond_style(_force->bond_style)
+  {
+    int suffix;
+    zero.reset(force->new_pair("zero", 0, suffix));
+    std::string text = fmt::format("{:.17g}", cutoff), all = "*";
+    char *settings[] = {&text[0]}, *coeff[] = {&all[0], &all[0]};
+    zero->settings(1, settings);
+    zero->coeff(2, coeff);
+    zero->init();
+    force->pair = zero.get();
+    force->bond = nullptr;
+    force->pair_style = force->bond_style = none;
+  }
+
+  ~StandIn()
+  {
+    force->pair = pair;
+    force->bond = bond;
+    force->pair_style = pair_style;
+    force->bond_style = bond_style;
+  }
+
+  StandIn(const StandIn &) = delete;
+  StandIn &operator=(const StandIn &) = delete;
+
+ private:
+  Force *force;
+  Pair *pair;
+  Bond *bond;
+  char *pair_style, *bond_style;
+  char none[5] = "none";
+  std::unique_ptr<Pair> zero;
+};
+}    // namespace
+
+NeighList *PotdemBonds::neighbours(double cutoff)
+{
+  const StandIn stand_in(force, cutoff);
+  neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL);
+
+  domain->init();
+  atom->init();
+  neighbor->init();
+  comm->init();
+  if (domain->triclinic) domain->x2lamda(atom->nlocal);
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+  neighbor->build(0);
+  auto list = neighbor->find_list(this);
+  neighbor->build_one(list);
+  return list;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool PotdemBonds::may_bond(int i, int j) const
+{
+  return atom->mask[i] & atom->mask[j] & group->bitmask[igroup];
+}
+
+std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
+{
+  std::vector<NewBond> found;
+  double **x = atom->x;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (!may_bond(i, j)) continue;
+      // the same two positions in the same order from both ends
+      const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
+                             x[high][2] - x[low][2]};
+      const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
+      const double dbar = atom->radius[i] + atom->radius[j];
+      if (r > (in_diameters ? reach * dbar : reach) * (1.0 + SHELL_TOLERANCE)) continue;
+      if (r == 0.0)
+        error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i],
+                   atom->tag[j]);
+      const bool cut = region && crosses_crack(x[low], x[high]);
+      if (cut && r >= dbar) continue;
+      found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar), 0.0});
+    }
+  }
+  return found;
+}
+
+bool PotdemBonds::crosses_crack(const double *from, const double *to) const
+{
+  for (int k = 0; k <= CRACK_SAMPLES; k++) {
+    const double t = static_cast<double>(k) / CRACK_SAMPLES;
+    if (region->match(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
+                      from[2] + t * (to[2] - from[2])))
+      return true;
+  }
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::make_room(const std::vector<NewBond> &bonds)
+{
+  std::vector<int> need(atom->num_bond, atom->num_bond + atom->nlocal);
+  for (const auto &bond : bonds) need[bond.i] += bond.length > 0.0;
+  int most = need.empty() ? 0 : *std::max_element(need.begin(), need.end()), all;
+  MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
+  if (all > atom->bond_per_atom) grow_bonds_per_atom(all);
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS fixes the number of bonds per atom when the box is created; growing its arrays moves their
+   rows, so what they hold is taken out and put back
+------------------------------------------------------------------------- */
+
+void PotdemBonds::grow_bonds_per_atom(int nbond)
+{
+  auto store = FixPotdemBondHistory::find(lmp);
+  std::vector<NewBond> old;
+  std::vector<int> types;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      types.push_back(atom->bond_type[i][m]);
+      old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
+                     store ? store->section(i, m) : 0.0, store ? store->area(i, m) : 0.0});
+    }
+  const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
+  const auto contacts = store ? store->new_contacts : std::vector<PotdemNewContact>();
+  if (store) modify->delete_fix(store->id);
+
+  atom->bond_per_atom = nbond;
+  atom->avec->grow(atom->nmax);
+
+  store = FixPotdemBondHistory::create(lmp);
+  store->ghost_cutoff = ghost_cutoff;
+  store->new_contacts = contacts;
+  std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
+  for (std::size_t k = 0; k < old.size(); k++) {
+    const int i = old[k].i, m = atom->num_bond[i]++;
+    atom->bond_type[i][m] = types[k];
+    atom->bond_atom[i][m] = old[k].partner;
+    store->store(i, m, old[k].length, old[k].section, old[k].area);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::add(const std::vector<NewBond> &bonds)
+{
+  auto store = FixPotdemBondHistory::ensure(lmp);
+  for (const auto &bond : bonds) {
+    if (bond.length < 0.0) continue;
+    const int m = atom->num_bond[bond.i]++;
+    atom->bond_type[bond.i][m] = btype;
+    atom->bond_atom[bond.i][m] = bond.partner;
+    store->store(bond.i, m, bond.length, bond.section);
+  }
+  Special special(lmp);
+  special.build();
+  announce_contacts(bonds);
+}
+
+// pairs that a crack cuts and that touch: their law of contact begins where they are
+void PotdemBonds::announce_contacts(const std::vector<NewBond> &bonds)
+{
+  std::vector<PotdemNewContact> mine;
+  for (const auto &bond : bonds)
+    if (bond.length < 0.0 && atom->tag[bond.i] < bond.partner)
+      mine.push_back({atom->tag[bond.i], bond.partner, -bond.length});
+  const auto all = potdem_gather(lmp, mine, "pairs that a crack cuts");
+  auto &known = FixPotdemBondHistory::ensure(lmp)->new_contacts;
+  known.insert(known.end(), all.begin(), all.end());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PotdemBonds::report(bigint count)
+{
+  atom->nbonds += count;
+  const double per_particle = 2.0 * static_cast<double>(count) / group->count(igroup);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "potdem_bonds: {} bonds of type {} in group {}, {:.4g} per particle\n",
+                   count, btype, group->names[igroup], per_particle);
+}
+
+// over all ranks, without the pairs that a crack cuts
+bigint PotdemBonds::count_bonds(const std::vector<NewBond> &bonds) const
+{
+  bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) {
+    return b.length > 0.0;
+  });
+  bigint all;
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all / 2;
+}
+
+/* ----------------------------------------------------------------------
+   why there is no bond: the crack cuts every pair, or r_infl is below every distance
+------------------------------------------------------------------------- */
+
+void PotdemBonds::found_none(double cutoff)
+{
+  const auto within = fmt::format("r_infl = {}{}", reach, in_diameters ? " diameters" : "");
+  if (region) {
+    region = nullptr;
+    if (count_bonds(find_pairs(neighbours(cutoff))) > 0)
+      error->all(FLERR,
+                 "potdem_bonds: the crack, region {}, cuts every pair of group '{}' within {}: "
+                 "make it thinner",
+                 crack, group->names[igroup], within);
+  }
+  const double shortest = shortest_distance(cutoff);
+  error->all(
+      FLERR,
+      "potdem_bonds: no two particles of group '{}' that are not bonded already are within {}; {}",
+      group->names[igroup], within,
+      shortest > 0.0 ? fmt::format("the shortest distance between two of them is {:.6g}", shortest)
+                     : "there are no two of them near each other");
+}
+
+// beyond the cutoff; 0 if there is none within eight times of it
+double PotdemBonds::shortest_distance(double cutoff)
+{
+  double mine = HUGE_VAL, all = HUGE_VAL;
+  for (int doubled = 0; doubled < 3 && !std::isfinite(all); doubled++) {
+    cutoff *= 2.0;
+    const auto *const list = neighbours(cutoff);
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii];
+      for (int jj = 0; jj < list->numneigh[i]; jj++) {
+        const int j = list->firstneigh[i][jj] & NEIGHMASK;
+        double del[3];
+        MathExtra::sub3(atom->x[i], atom->x[j], del);
+        if (may_bond(i, j)) mine = MIN(mine, MathExtra::len3(del));
+      }
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  }
+  return std::isfinite(all) ? all : 0.0;
+}

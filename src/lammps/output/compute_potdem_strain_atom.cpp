@@ -1,0 +1,192 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Strain at a particle (thesis eq. 5.24): least squares over its live bonds of
+     eps_ij = n0^T E n0,    eps_ij = ((r/re)^2 - 1)/2,    n0 the bond's direction in the reference state
+   E is the Green-Lagrange tensor: exact for any affine motion, rotation included. With fewer than six
+   independent directions the solution of smallest norm is taken; the number of bonds and the rank are
+   columns. */
+
+#include "lammps/output/compute_potdem_strain_atom.h"
+
+#include "core/laws/truss.h"
+#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/lammps_compat.h"
+#include "lammps/output/fix_potdem_reference.h"
+
+#include "atom.h"
+#include "error.h"
+#include "math_eigen_impl.h"
+#include "memory.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+static constexpr int COLUMNS = 8;    // exx eyy ezz exy exz eyz nbonds rank
+static constexpr double SINGULAR =
+    1e-10;    // eigenvalues below this fraction of the largest count as zero
+static constexpr double MOVED =
+    1e-6;    // reference positions and reference lengths agree to this fraction
+
+/* ---------------------------------------------------------------------- */
+
+ComputePotdemStrainAtom::ComputePotdemStrainAtom(LAMMPS *lmp, int narg, char **arg) :
+    Compute(lmp, narg, arg), nmax(0), strain(nullptr), history(nullptr)
+{
+  if (narg > 3)
+    error->all(FLERR, "compute potdem/strain/atom: unknown keyword '{}', it takes none", arg[3]);
+  peratom_flag = 1;
+  size_peratom_cols = COLUMNS;
+  if (atom->nbonds == 0)
+    error->all(FLERR, "compute potdem/strain/atom {} needs bonds: define it after potdem_bonds",
+               id);
+  history = FixPotdemBondHistory::ensure(lmp);
+  keep_reference();
+}
+
+ComputePotdemStrainAtom::~ComputePotdemStrainAtom()
+{
+  if (modify->get_fix_by_id(fix_id)) modify->delete_fix(fix_id);
+  memory->destroy(strain);
+}
+
+/* ----------------------------------------------------------------------
+   the directions of the bonds in the reference state: positions when the compute is defined, or when a particle
+   comes later
+------------------------------------------------------------------------- */
+
+void ComputePotdemStrainAtom::keep_reference()
+{
+  fix_id = std::string(id) + "_REFERENCE";
+  auto *const fix = dynamic_cast<FixPotdemReference *>(
+      modify->add_fix(fmt::format("{} all POTDEM_REFERENCE d2_potdem_{} {} ghost yes writedata no",
+                                  fix_id, id, static_cast<int>(FixPotdemReference::COLUMNS))));
+  if (fix->restart_reset) {
+    fix->restart_reset = 0;
+    return;
+  }
+  fix->take_all();
+  check_reference(fix->places());
+}
+
+void ComputePotdemStrainAtom::check_reference(double **reference)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      const int j = atom->map(atom->bond_atom[i][m]);
+      const double re = history->length(i, m);
+      if (j < 0 || j >= atom->nlocal || re <= 0.0) continue;
+      double del[3] = {reference[j][0] - reference[i][0], reference[j][1] - reference[i][1],
+                       reference[j][2] - reference[i][2]};
+      PotdemCompat::minimum_image(domain, del);
+      const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
+      if (fabs(r - re) > MOVED * re)
+        error->one(FLERR,
+                   "compute potdem/strain/atom {}: the bond of atoms {} and {} is {} long, not its "
+                   "reference "
+                   "length {}; define the compute before the bodies move",
+                   id, atom->tag[i], atom->tag[j], r, re);
+    }
+}
+
+double **ComputePotdemStrainAtom::reference() const
+{
+  const auto *const fix = dynamic_cast<FixPotdemReference *>(modify->get_fix_by_id(fix_id));
+  if (!fix)
+    error->all(FLERR,
+               "compute potdem/strain/atom {}: its fix {}, which keeps the reference positions, "
+               "was removed; "
+               "define the compute again",
+               id, fix_id);
+  return fix->places();
+}
+
+void ComputePotdemStrainAtom::init()
+{
+  history = FixPotdemBondHistory::get(lmp, fmt::format("compute potdem/strain/atom {}", id));
+  reference();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ComputePotdemStrainAtom::compute_peratom()
+{
+  invoked_peratom = update->ntimestep;
+  if (atom->nmax > nmax) {
+    nmax = atom->nmax;
+    memory->destroy(strain);
+    memory->create(strain, nmax, COLUMNS, "potdem/strain/atom:strain");
+    array_atom = strain;
+  }
+  init();
+  double **const places = reference();
+  for (int i = 0; i < atom->nlocal; i++) {
+    memset(strain[i], 0, COLUMNS * sizeof(double));
+    if (atom->mask[i] & groupbit) fit(i, places, strain[i]);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   shear components are scaled by sqrt(2) inside, so that the norm is that of the tensor
+------------------------------------------------------------------------- */
+
+void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
+{
+  double matrix[6][6] = {}, right[6] = {}, values[6], vectors[6][6];
+  int nbonds = 0;
+  for (int m = 0; m < atom->num_bond[i]; m++) {
+    const double re = history->length(i, m);
+    if (atom->bond_type[i][m] <= 0 || re <= 0.0) continue;
+    const int k = atom->map(atom->bond_atom[i][m]);
+    if (k < 0) continue;
+    const int j = domain->closest_image(i, k);
+    double n[3], r2 = 0.0, n2 = 0.0;
+    for (int c = 0; c < 3; c++) {
+      n[c] = reference[j][c] - reference[i][c];
+      r2 += (atom->x[j][c] - atom->x[i][c]) * (atom->x[j][c] - atom->x[i][c]);
+    }
+    PotdemCompat::minimum_image(domain, n);
+    for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
+    if (fabs(n2 - re * re) > 2.0 * MOVED * re * re)
+      error->one(FLERR,
+                 "compute potdem/strain/atom {}: the bond of atoms {} and {} has the reference "
+                 "length {}, but their "
+                 "reference positions are {} apart: they were bonded after the compute had seen "
+                 "them elsewhere, "
+                 "or a periodic box has changed its size; define the compute after the bonds, and "
+                 "strain across a periodic boundary needs a box of fixed size",
+                 id, atom->tag[i], atom->tag[j], re, sqrt(n2));
+    const double row[6] = {n[0] * n[0] / n2,           n[1] * n[1] / n2,
+                           n[2] * n[2] / n2,           M_SQRT2 * n[0] * n[1] / n2,
+                           M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
+    const double eps = POTDEM::truss_strain(r2 / (re * re));
+    for (int a = 0; a < 6; a++) {
+      right[a] += row[a] * eps;
+      for (int b = 0; b < 6; b++) matrix[a][b] += row[a] * row[b];
+    }
+    nbonds++;
+  }
+  out[6] = nbonds;
+  if (nbonds == 0) return;
+
+  MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(
+      matrix, values, vectors);
+  for (int k = 0; k < 6 && values[k] > SINGULAR * values[0]; k++) {
+    double share = 0.0;
+    for (int a = 0; a < 6; a++) share += vectors[k][a] * right[a];
+    for (int a = 0; a < 6; a++) out[a] += share / values[k] * vectors[k][a];
+    out[7] += 1.0;
+  }
+  for (int a = 3; a < 6; a++) out[a] /= M_SQRT2;
+}
+
+double ComputePotdemStrainAtom::memory_usage()
+{
+  return static_cast<double>(nmax) * COLUMNS * sizeof(double);
+}

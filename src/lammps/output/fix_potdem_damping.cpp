@@ -1,0 +1,81 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Numerical damping (thesis eq. 5.30, after Cundall):  Fd = -lambda F sgn(F.v), F the total force on the
+   particle; by component: -lambda |Fk| sgn(vk). sgn(0) = 0. 0 <= lambda < 1. */
+
+#include "lammps/output/fix_potdem_damping.h"
+
+#include "lammps/glue/potdem_input.h"
+#include "lammps/output/fix_potdem_ledger.h"
+
+#include "atom.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+static double sign(double value)
+{
+  return (value > 0.0) - (value < 0.0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), lambda(0.0), by_component(false), ledger(nullptr)
+{
+  dynamic_group_allow = 1;
+  PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
+  lambda = input.fraction("lambda");
+  while (!input.done()) {
+    if (!input.next_is("form")) {
+      input.word();
+      input.unknown("form");
+    }
+    if (input.next_is("vector"))
+      by_component = false;
+    else if (input.next_is("component"))
+      by_component = true;
+    else {
+      input.word();
+      input.unknown("vector or component");
+    }
+  }
+}
+
+int FixPotdemDamping::setmask()
+{
+  return POST_FORCE;
+}
+
+void FixPotdemDamping::init()
+{
+  potdem_refuse_respa(lmp, "fix potdem/damping");
+  ledger = FixPotdemLedger::find(lmp);
+  potdem_require_last(lmp, this, "acts on the total force", "");
+}
+
+void FixPotdemDamping::setup(int vflag)
+{
+  post_force(vflag);
+}
+
+void FixPotdemDamping::post_force(int /*vflag*/)
+{
+  double **v = atom->v, **f = atom->f;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double drag[3];
+    const double s = by_component ? 0.0
+                                  : sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
+    for (int k = 0; k < 3; k++) {
+      drag[k] = -lambda * (by_component ? fabs(f[i][k]) * sign(v[i][k]) : s * f[i][k]);
+      f[i][k] += drag[k];
+    }
+    if (ledger) ledger->add(FixPotdemLedger::DAMPING, i, drag[0], drag[1], drag[2]);
+  }
+}

@@ -1,0 +1,242 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "lammps/pair/fix_potdem_contacts.h"
+
+#include "lammps/pair/pair_potdem.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "error.h"
+#include "modify.h"
+#include "my_page.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+static constexpr char CONTACTS_ID[] = "POTDEM_CONTACTS_";
+
+/* ---------------------------------------------------------------------- */
+
+static std::string place_of(const std::string &id)
+{
+  return id + "_PLACE";
+}
+
+// numbers follow the order of the styles in pair_style hybrid, and so are the same after a restart
+std::string FixPotdemContacts::reserve(LAMMPS *lmp)
+{
+  auto *const modify = lmp->modify;
+  for (int n = 1;; n++) {
+    const std::string id = CONTACTS_ID + std::to_string(n);
+    const auto *const kept = dynamic_cast<FixPotdemContacts *>(modify->get_fix_by_id(id));
+    if (kept && !kept->pair) return id;
+    if (kept || modify->get_fix_by_id(place_of(id))) continue;
+    if (lmp->atom->avec->bonds_allow) modify->add_fix(place_of(id) + " all DUMMY");
+    return id;
+  }
+}
+
+void FixPotdemContacts::release(LAMMPS *lmp, const std::string &id)
+{
+  auto *const modify = lmp->modify;
+  if (!modify) return;
+  if (modify->get_fix_by_id(place_of(id))) modify->delete_fix(place_of(id));
+  auto *const kept = dynamic_cast<FixPotdemContacts *>(modify->get_fix_by_id(id));
+  if (kept) kept->pair = nullptr;
+}
+
+FixPotdemContacts *FixPotdemContacts::ensure(LAMMPS *lmp, const std::string &id, Pair *pair)
+{
+  auto *const modify = lmp->modify;
+  auto *found = modify->get_fix_by_id(id);
+  if (!found) {
+    const auto made = fmt::format("{} all POTDEM_CONTACTS 1", id);
+    const bool placed = modify->get_fix_by_id(place_of(id));
+    found = placed ? modify->replace_fix(place_of(id), made) : modify->add_fix(made);
+  }
+  auto *const contacts = dynamic_cast<FixPotdemContacts *>(found);
+  contacts->pair = pair;
+  return contacts;
+}
+
+FixPotdemContacts::FixPotdemContacts(LAMMPS *lmp, int narg, char **arg) :
+    FixNeighHistory(lmp, narg, arg), stored(true), remembering(0)
+{
+}
+
+// by the user; or by its pair style, which has said so
+FixPotdemContacts::~FixPotdemContacts()
+{
+  if (auto *const whose = dynamic_cast<PairPotdemBase *>(pair)) whose->lose_contacts();
+}
+
+void FixPotdemContacts::init()
+{
+  if (!pair) return;
+  // LAMMPS forgets what the pages hold when neigh_modify changes their size
+  std::vector<PotdemNewContact> kept;
+  if (pages_will_change())
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int k = 0; k < npartner[i]; k++) kept.push_back({i, partner[i][k], valuepartner[i][k]});
+  const bool changed = pages_will_change();
+  FixNeighHistory::init();
+  if (changed) std::fill_n(npartner, atom->nlocal, 0);
+  for (const auto &one : kept) add_partner(static_cast<int>(one.first), one.second, one.distance);
+  // a distance is the same seen from either particle
+  pair->nondefault_history_transfer = 1;
+  // neighbour lists mark what touches by diameters only, and not in all of their kinds
+  pair->beyond_contact = 1;
+}
+
+bool FixPotdemContacts::pages_will_change() const
+{
+  return ipage_atom && (pgsize != neighbor->pgsize || oneatom != neighbor->oneatom);
+}
+
+/* ----------------------------------------------------------------------
+   the values go from the neighbour list to the particles before they move, and back into the new list
+------------------------------------------------------------------------- */
+
+void FixPotdemContacts::setup_pre_exchange()
+{
+  add_expected();
+  expected.clear();
+}
+
+void FixPotdemContacts::pre_exchange()
+{
+  if (!pair) return;
+  FixNeighHistory::pre_exchange();
+  add_aside();
+  add_expected();
+}
+
+void FixPotdemContacts::post_neighbor()
+{
+  if (!pair) return;
+  FixNeighHistory::post_neighbor();
+  set_aside();
+  expected.clear();
+  stored = false;
+}
+
+void FixPotdemContacts::post_run()
+{
+  if (stored || !pair) return;
+  pre_exchange();
+  expected.clear();
+  stored = true;
+}
+
+// with newton on LAMMPS asks the rank that has the pair in its list for what the other's owner is to keep, in a way that
+// comm_style tiled does not know. Here both owners know from the beginning, and it does not change
+void FixPotdemContacts::pre_exchange_newton()
+{
+  pre_exchange_no_newton();
+}
+
+// what the particles know of pairs that their list does not have
+void FixPotdemContacts::set_aside()
+{
+  aside.clear();
+  remembering = 0;
+  std::vector<tagint> listed;
+  const auto *const list = pair->list;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    listed.clear();
+    for (int jj = 0; npartner[i] > 0 && jj < list->numneigh[i]; jj++)
+      if (firstflag[i][jj]) listed.push_back(atom->tag[list->firstneigh[i][jj] & NEIGHMASK]);
+    remembering += static_cast<bigint>(listed.size());
+    for (int k = 0; k < npartner[i]; k++)
+      if (std::find(listed.begin(), listed.end(), partner[i][k]) == listed.end())
+        aside.push_back({i, partner[i][k], valuepartner[i][k]});
+  }
+}
+
+// the list of the other particle may have had the pair
+void FixPotdemContacts::add_aside()
+{
+  for (const auto &one : aside)
+    if (place_of_partner(one.i, one.partner) < 0) add_partner(one.i, one.partner, one.distance);
+}
+
+// between runs the particles have moved on already, unlike those of the last neighbour list
+void FixPotdemContacts::write_restart(FILE *fp)
+{
+  if (stored)
+    setup_pre_exchange();
+  else
+    pre_exchange();
+  const int size = 0;
+  if (comm->me == 0) fwrite(&size, sizeof(int), 1, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemContacts::expect(const std::vector<PotdemNewContact> &contacts)
+{
+  expected.insert(expected.end(), contacts.begin(), contacts.end());
+}
+
+void FixPotdemContacts::add_expected()
+{
+  const auto owned = [this](tagint tag) {
+    const int i = atom->map(tag);
+    return i < atom->nlocal ? i : -1;
+  };
+  for (const auto &contact : expected) {
+    const int i = owned(contact.first), j = owned(contact.second);
+    if (i >= 0) set_partner(i, contact.second, contact.distance);
+    if (j >= 0) set_partner(j, contact.first, contact.distance);
+  }
+}
+
+// -1: not there
+int FixPotdemContacts::place_of_partner(int i, tagint tag) const
+{
+  for (int k = 0; k < npartner[i]; k++)
+    if (partner[i][k] == tag) return k;
+  return -1;
+}
+
+// a pair that was bonded again and failed again begins anew
+void FixPotdemContacts::set_partner(int i, tagint tag, double distance)
+{
+  const int k = place_of_partner(i, tag);
+  if (k < 0) {
+    if (distance > 0.0) add_partner(i, tag, distance);
+  } else if (distance > 0.0) {
+    valuepartner[i][k] = distance;
+  } else {
+    const int last = --npartner[i];
+    partner[i][k] = partner[i][last];
+    valuepartner[i][k] = valuepartner[i][last];
+  }
+}
+
+void FixPotdemContacts::add_partner(int i, tagint tag, double distance)
+{
+  const int n = npartner[i];
+  tagint *const partners = ipage_atom->get(n + 1);
+  double *const values = dpage_atom->get(n + 1);
+  if (!partners || !values)
+    error->one(FLERR, "Atom {} has too many failed contacts, increase neigh_modify one",
+               atom->tag[i]);
+  std::copy_n(partner[i], n, partners);
+  std::copy_n(valuepartner[i], n, values);
+  partners[n] = tag;
+  values[n] = distance;
+  partner[i] = partners;
+  valuepartner[i] = values;
+  npartner[i] = n + 1;
+  maxpartner = MAX(maxpartner, npartner[i]);
+  maxexchange = (dnum + 1) * maxpartner + 1;
+}

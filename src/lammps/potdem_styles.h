@@ -1,0 +1,65 @@
+/* The one registration table. LAMMPS includes this file among its own style headers (package compiled
+   in), plugin.cpp includes it with macros of its own (plugin). A new style is one line in its block
+   and one include below. */
+
+// clang-format off
+#ifdef PAIR_CLASS
+PairStyle(potdem/granular,PairPotdemGranular);
+PairStyle(potdem/granular/omp,PairPotdemGranularOMP);
+PairStyle(potdem/hertz,PairPotdemHertz);
+PairStyle(potdem/hertz/omp,PairPotdemHertzOMP);
+PairStyle(potdem/lj,PairPotdemLJ);
+PairStyle(potdem/lj/omp,PairPotdemLJOMP);
+PairStyle(potdem/truss,PairPotdemTruss);
+PairStyle(potdem/truss/omp,PairPotdemTrussOMP);
+#elif defined(BOND_CLASS)
+BondStyle(potdem/truss,BondPotdemTruss);
+BondStyle(potdem/truss/omp,BondPotdemTrussOMP);
+#elif defined(FIX_CLASS)
+FixStyle(potdem/damping,FixPotdemDamping);
+FixStyle(potdem/failure,FixPotdemFailure);
+FixStyle(potdem/timestep,FixPotdemTimestep);
+FixStyle(potdem/wall/region,FixPotdemWallRegion);
+FixStyle(POTDEM_BOND_HISTORY,FixPotdemBondHistory);
+FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
+FixStyle(POTDEM_LEDGER,FixPotdemLedger);
+FixStyle(POTDEM_REFERENCE,FixPotdemReference);
+FixStyle(POTDEM_REFRESH,FixPotdemRefresh);
+FixStyle(POTDEM_MONITOR,FixPotdemMonitor);
+#elif defined(COMPUTE_CLASS)
+ComputeStyle(potdem/energy,ComputePotdemEnergy);
+ComputeStyle(potdem/piece/atom,ComputePotdemPieceAtom);
+ComputeStyle(potdem/strain/atom,ComputePotdemStrainAtom);
+ComputeStyle(potdem/timestep,ComputePotdemTimestep);
+#elif defined(COMMAND_CLASS)
+CommandStyle(potdem_bonds,PotdemBonds);
+CommandStyle(potdem_material,PotdemMaterial);
+#else
+// clang-format on
+#ifndef LMP_POTDEM_STYLES_H
+#define LMP_POTDEM_STYLES_H
+#include "lammps/bond/bond_potdem_truss.h"
+#include "lammps/bond/bond_potdem_truss_omp.h"
+#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/bond/fix_potdem_failure.h"
+#include "lammps/bond/potdem_bonds.h"
+#include "lammps/glue/fix_potdem_refresh.h"
+#include "lammps/glue/potdem_material.h"
+#include "lammps/output/compute_potdem_energy.h"
+#include "lammps/output/compute_potdem_piece_atom.h"
+#include "lammps/output/compute_potdem_strain_atom.h"
+#include "lammps/output/compute_potdem_timestep.h"
+#include "lammps/output/fix_potdem_damping.h"
+#include "lammps/output/fix_potdem_ledger.h"
+#include "lammps/output/fix_potdem_monitor.h"
+#include "lammps/output/fix_potdem_reference.h"
+#include "lammps/output/fix_potdem_timestep.h"
+#include "lammps/pair/fix_potdem_contacts.h"
+#include "lammps/pair/pair_potdem_granular.h"
+#include "lammps/pair/pair_potdem_hertz.h"
+#include "lammps/pair/pair_potdem_lj.h"
+#include "lammps/pair/pair_potdem_omp.h"
+#include "lammps/pair/pair_potdem_truss.h"
+#include "lammps/wall/fix_potdem_wall_region.h"
+#endif
+#endif
