@@ -8,8 +8,8 @@
 #include "core/areas/lattice_area.h"
 #include "core/laws/truss.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
-#include "lammps/bond/fix_potdem_failure.h"
 #include "lammps/bond/potdem_body_area.h"
+#include "lammps/glue/find_styles.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_input.h"
@@ -163,7 +163,7 @@ void BondPotdemTruss::init_style()
                "bonded pairs do not touch, all others do");
   history = FixPotdemBondHistory::ensure(lmp);
   lost = false;
-  history->new_contacts.clear();    // the pair style comes first
+  announce_contacts();
   ledger = FixPotdemLedger::find(lmp);
   monitor = FixPotdemMonitor::ensure(lmp);
   FixPotdemRefresh::ensure(lmp);
@@ -174,6 +174,14 @@ void BondPotdemTruss::init_style()
     if (setflag[type] && coeffs[type].mode == BODY)
       history->allow_exchange(POTDEM::BodyHalo::WIDEST);
   set_communication();
+}
+
+// LAMMPS has the pair style initialised before this
+void BondPotdemTruss::announce_contacts()
+{
+  for (auto *const contacts : potdem_find<ContactMemory>(lmp))
+    contacts->expect_contacts(history->new_contacts);
+  history->new_contacts.clear();
 }
 
 // what fix adapt calls when it has changed coefficients, at any step
@@ -200,8 +208,8 @@ void BondPotdemTruss::find_needs()
   tension.assign(atom->nbondtypes + 1, UNBREAKABLE);
   compression.assign(atom->nbondtypes + 1, -UNBREAKABLE);
   scatter.assign(atom->nbondtypes + 1, POTDEM::StrengthScatter());
-  for (const auto &fix : modify->get_fix_by_style("^potdem/failure$"))
-    dynamic_cast<FixPotdemFailure *>(fix)->give_strengths_to(*this);
+  for (const auto *criterion : potdem_find<FailureCriterion>(lmp))
+    criterion->give_strengths_to(*this);
 }
 
 /* ----------------------------------------------------------------------
@@ -698,7 +706,7 @@ void BondPotdemTruss::cut(int i, tagint partner)
 /* ---------------------------------------------------------------------- */
 
 // the rank of a ghost does the same bond for itself
-void BondPotdemTruss::add_stiffness_to(PotdemStiffness &sum)
+void BondPotdemTruss::add_stiffness_to(PotdemStiffness &sum, double /*ahead*/)
 {
   refresh();
   for (int i = 0; i < atom->nlocal; i++)

@@ -10,6 +10,8 @@
 #include "core/laws/penetration.h"
 #include "core/laws/strength_scatter.h"
 
+#include "lammps/glue/interfaces.h"
+
 #include "bond.h"
 
 #include <string>
@@ -17,7 +19,7 @@
 
 namespace LAMMPS_NS {
 
-class BondPotdemTruss : public Bond {
+class BondPotdemTruss : public Bond, public StiffnessSource, public BondMemory {
  public:
   BondPotdemTruss(class LAMMPS *);
   ~BondPotdemTruss() override;
@@ -47,15 +49,15 @@ class BondPotdemTruss : public Bond {
   const std::vector<Overstretched> &overstretched() const { return over; }
   int partner(int n) const { return bonds.partner[n]; }
   int type(int n) const { return bonds.type[n]; }
-  void refresh();                // follow the latest rebuild of the bond list
-  bool has_new_bonds() const;    // on this rank: such as have come since the last rebuild
-  void expect_new_bonds();       // on all ranks, before a rebuild: ghosts will reach their ends
-  void lose_memory();            // somebody removes the fix
-  bool lost_memory() const { return lost; }
-  void repack() { generation = -1; }    // masses have changed
-  void cut(int i, tagint partner);      // no force from here on
+  void refresh();    // follow the latest rebuild of the bond list
+  bool has_new_bonds() const override;
+  void expect_new_bonds() override;
+  void masses_changed() override { generation = -1; }
+  void lose_memory() override;
+  bool lost_memory() const override { return lost; }
+  void cut(int i, tagint partner);    // no force from here on
 
-  void add_stiffness_to(class PotdemStiffness &);    // for compute potdem/timestep
+  void add_stiffness_to(class PotdemStiffness &, double ahead) override;
 
  protected:
   enum AreaMode { FACTOR, LATTICE, BODY };
@@ -125,6 +127,7 @@ class BondPotdemTruss : public Bond {
   void take_adapted(int type);
   void find_needs();
   void set_communication();
+  void announce_contacts();
   void pack();
   bool is_ours(int type) const;
   void order_bonds();

@@ -6,7 +6,7 @@
 #include "lammps/bond/fix_potdem_bond_history.h"
 
 #include "core/laws/truss.h"
-#include "lammps/bond/bond_potdem_truss.h"
+#include "lammps/glue/find_styles.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
 
@@ -48,8 +48,9 @@ FixPotdemBondHistory *FixPotdemBondHistory::create(LAMMPS *lmp)
 
 FixPotdemBondHistory *FixPotdemBondHistory::ensure(LAMMPS *lmp)
 {
-  const auto *const bond = BondPotdemTruss::find(lmp);
-  if (find(lmp) || (bond && bond->lost_memory())) return get(lmp, "bond_style potdem/truss");
+  bool lost = false;
+  for (const auto *bond : potdem_find<BondMemory>(lmp)) lost = lost || bond->lost_memory();
+  if (find(lmp) || lost) return get(lmp, "bond_style potdem/truss");
   return create(lmp);
 }
 
@@ -85,7 +86,7 @@ FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
 FixPotdemBondHistory::~FixPotdemBondHistory()
 {
   if (!force) return;
-  if (auto *const bond = BondPotdemTruss::find(lmp)) bond->lose_memory();
+  for (auto *const bond : potdem_find<BondMemory>(lmp)) bond->lose_memory();
 }
 
 int FixPotdemBondHistory::setmask()

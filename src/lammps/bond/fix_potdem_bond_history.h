@@ -10,8 +10,9 @@
 #ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
 #define LMP_FIX_POTDEM_BOND_HISTORY_H
 
+#include "lammps/glue/interfaces.h"
+
 #include "fix_bond_history.h"
-#include "lammps/pair/fix_potdem_contacts.h"
 
 #include <string>
 #include <vector>

@@ -18,11 +18,11 @@
 #include "core/laws/truss.h"
 #include "lammps/bond/bond_potdem_truss.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/find_styles.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_input.h"
 #include "lammps/pair/fix_potdem_contacts.h"
-#include "lammps/pair/pair_potdem.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -49,7 +49,7 @@ static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
 
 FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
-    ntension(0.0), ncompression(0.0), energy(0.0), bond(nullptr), history(nullptr), maxrows(0)
+    ntension(0.0), ncompression(0.0), lost_energy(0.0), bond(nullptr), history(nullptr), maxrows(0)
 {
   PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
@@ -206,12 +206,12 @@ void FixPotdemFailure::pre_force(int /*vflag*/)
         {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2), failure.contact});
     near = near || failure.gap < 2.0 * neighbor->skin;
     (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
-    energy += failure.energy;
+    lost_energy += failure.energy;
     atom->nbonds--;
   }
   pre_exchange();    // LAMMPS's special lists know it at once
   // a pair within reach of its contact law remembers the distance, at which the law will begin
-  for (auto *const pair : PairPotdemBase::all(lmp)) pair->expect_contacts(begun);
+  for (auto *const contacts : potdem_find<ContactMemory>(lmp)) contacts->expect_contacts(begun);
   if (near) next_reneighbor = update->ntimestep + 1;
 }
 
@@ -308,7 +308,7 @@ double FixPotdemFailure::compute_scalar()
 
 double FixPotdemFailure::compute_vector(int n)
 {
-  const double values[3] = {energy, ntension, ncompression};
+  const double values[3] = {lost_energy, ntension, ncompression};
   return values[n];
 }
 
@@ -322,7 +322,7 @@ double FixPotdemFailure::memory_usage()
 void FixPotdemFailure::write_restart(FILE *fp)
 {
   pre_exchange();    // special lists as the restart file's reader must find them
-  const double state[3] = {energy, ntension, ncompression};
+  const double state[3] = {lost_energy, ntension, ncompression};
   const int size = sizeof(state);
   if (comm->me == 0) {
     fwrite(&size, sizeof(int), 1, fp);
@@ -333,7 +333,7 @@ void FixPotdemFailure::write_restart(FILE *fp)
 void FixPotdemFailure::restart(char *buf)
 {
   const auto state = reinterpret_cast<const double *>(buf);
-  energy = state[0];
+  lost_energy = state[0];
   ntension = state[1];
   ncompression = state[2];
 }

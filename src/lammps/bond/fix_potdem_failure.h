@@ -8,19 +8,26 @@
 
 #include "core/laws/strength_scatter.h"
 
+#include "lammps/glue/interfaces.h"
+
 #include "fix_update_special_bonds.h"
 
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class FixPotdemFailure : public FixUpdateSpecialBonds {
+class FixPotdemFailure :
+    public FixUpdateSpecialBonds,
+    public FailureCriterion,
+    public EnergySource {
  public:
   FixPotdemFailure(class LAMMPS *, int, char **);
   ~FixPotdemFailure() override;
   int setmask() override;
   void init() override;
-  void give_strengths_to(class BondPotdemTruss &) const;    // by the strengths given
+  void give_strengths_to(class BondPotdemTruss &) const override;
+  Term energy_term() const override { return FRACTURE; }
+  double energy() override { return lost_energy; }
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;
@@ -40,7 +47,7 @@ class FixPotdemFailure : public FixUpdateSpecialBonds {
   int btype;
   double tension, compression;
   POTDEM::StrengthScatter scatter;
-  double ntension, ncompression, energy;    // since the first run, over all ranks
+  double ntension, ncompression, lost_energy;    // since the first run, over all ranks
   class BondPotdemTruss *bond;
   class FixPotdemBondHistory *history;
   int maxrows;    // of array_local: what this rank decided, in one block, as LAMMPS's Python module reads it

@@ -5,8 +5,8 @@
 
 #include "lammps/glue/fix_potdem_refresh.h"
 
-#include "lammps/bond/bond_potdem_truss.h"
-#include "lammps/pair/pair_potdem.h"
+#include "lammps/glue/find_styles.h"
+#include "lammps/glue/interfaces.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -43,8 +43,7 @@ void FixPotdemRefresh::ensure(LAMMPS *lmp)
 }
 
 FixPotdemRefresh::FixPotdemRefresh(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), bond(nullptr), box_then(), growth(0.0), largest_jump(0.0), moved(0.0),
-    warned(false)
+    Fix(lmp, narg, arg), box_then(), growth(0.0), largest_jump(0.0), moved(0.0), warned(false)
 {
   force_reneighbor = 1;
   next_reneighbor = -1;
@@ -59,8 +58,8 @@ int FixPotdemRefresh::setmask()
 
 void FixPotdemRefresh::init()
 {
-  pairs = PairPotdemBase::all(lmp);
-  bond = BondPotdemTruss::find(lmp);
+  sized = potdem_find<SizedReach>(lmp);
+  bonds = potdem_find<BondMemory>(lmp);
   largest_jump = 0.0;
   warned = false;
 }
@@ -72,12 +71,14 @@ void FixPotdemRefresh::init()
 void FixPotdemRefresh::pre_exchange()
 {
   enum { SIZES, BONDS, NCHANGES };
-  int mine[NCHANGES] = {0, bond && bond->has_new_bonds()}, all[NCHANGES];
-  for (const auto *pair : pairs) mine[SIZES] = mine[SIZES] || pair->outgrown();
+  int mine[NCHANGES] = {0, 0}, all[NCHANGES];
+  for (const auto *style : sized) mine[SIZES] = mine[SIZES] || style->outgrown();
+  for (const auto *bond : bonds) mine[BONDS] = mine[BONDS] || bond->has_new_bonds();
   MPI_Allreduce(mine, all, NCHANGES, MPI_INT, MPI_MAX, world);
   if (!all[SIZES] && !all[BONDS]) return;
   if (all[SIZES]) renew_cutoffs();
-  if (all[BONDS]) bond->expect_new_bonds();
+  for (auto *bond : bonds)
+    if (all[BONDS]) bond->expect_new_bonds();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
 }
@@ -93,7 +94,7 @@ void FixPotdemRefresh::renew_cutoffs()
     const int n = neighbor->request(nullptr);
     neighbor->requests[n]->copy_request(neighbor->old_requests[k], 1);
   }
-  for (auto *pair : pairs) pair->find_sizes();
+  for (auto *style : sized) style->find_sizes();
   Pair *const whole = force->pair;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
@@ -140,14 +141,14 @@ double FixPotdemRefresh::box_change() const
 double FixPotdemRefresh::of_skin(double how_much) const
 {
   double reach_per_size = 0.0;
-  for (const auto *pair : pairs) reach_per_size = MAX(reach_per_size, pair->reach_per_size());
+  for (const auto *style : sized) reach_per_size = MAX(reach_per_size, style->reach_per_size());
   return 2.0 * moved + 2.0 * reach_per_size * how_much + box_change();
 }
 
 // diameters change after it is settled whether a step has new lists: room for one more change like those seen
 void FixPotdemRefresh::post_integrate()
 {
-  if (pairs.empty() || !neighbor->dist_check) return;
+  if (sized.empty() || !neighbor->dist_check) return;
   const auto *const x = (const double(*)[3]) atom->x[0];
   double **const held = neighbor->get_xhold();
   const int n = neighbor->includegroup ? atom->nfirst : atom->nlocal;
@@ -184,10 +185,10 @@ void FixPotdemRefresh::warn_of_jump()
 // the dashpots of bonds depend on the masses, which change with the diameters
 void FixPotdemRefresh::pre_force(int /*vflag*/)
 {
-  if (!bond) return;
+  if (bonds.empty()) return;
   if (std::equal(mass_then.begin(), mass_then.end(), atom->rmass)) return;
   mass_then.assign(atom->rmass, atom->rmass + atom->nlocal);
-  bond->repack();
+  for (auto *bond : bonds) bond->masses_changed();
 }
 
 double FixPotdemRefresh::memory_usage()

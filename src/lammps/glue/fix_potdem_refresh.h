@@ -33,8 +33,8 @@ class FixPotdemRefresh : public Fix {
   double memory_usage() override;
 
  private:
-  std::vector<class PairPotdemBase *> pairs;
-  class BondPotdemTruss *bond;
+  std::vector<class SizedReach *> sized;
+  std::vector<class BondMemory *> bonds;
 
   // where diameters may change within a run: the state for which the lists were built
   std::vector<double> radius_then, mass_then;

@@ -10,6 +10,8 @@
 #include "lammps/output/compute_potdem_energy.h"
 
 #include "core/laws/friction.h"
+#include "lammps/glue/find_styles.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"
 #include "lammps/output/fix_potdem_ledger.h"
 
@@ -102,9 +104,10 @@ void ComputePotdemEnergy::compute_vector()
   vector[KINETIC] = all[0];
   vector[BONDS] = all[1];
   vector[CONTACTS] = all[2];
-  vector[GRAVITY] = over_fixes("^gravity", true);
-  vector[WALLS] = over_fixes("^potdem/wall", true);
-  vector[FRACTURE] = over_fixes("^potdem/failure", false);
+  vector[GRAVITY] = of_gravity();
+  vector[WALLS] = vector[FRACTURE] = 0.0;
+  for (auto *const source : potdem_find<EnergySource>(lmp))
+    vector[source->energy_term() == EnergySource::WALLS ? WALLS : FRACTURE] += source->energy();
   vector[FRICTION] = ledger()->heat(FixPotdemLedger::FRICTION);
   vector[VISCOUS] = ledger()->heat(FixPotdemLedger::VISCOUS);
   vector[DAMPING] = ledger()->heat(FixPotdemLedger::DAMPING);
@@ -127,10 +130,9 @@ double ComputePotdemEnergy::kinetic() const
   return sum * force->mvv2e;
 }
 
-double ComputePotdemEnergy::over_fixes(const char *style, bool scalar) const
+double ComputePotdemEnergy::of_gravity() const
 {
   double sum = 0.0;
-  for (const auto &fix : modify->get_fix_by_style(style))
-    sum += scalar ? fix->compute_scalar() : fix->compute_vector(0);
+  for (const auto &fix : modify->get_fix_by_style("^gravity")) sum += fix->compute_scalar();
   return sum;
 }

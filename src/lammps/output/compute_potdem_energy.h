@@ -36,7 +36,7 @@ class ComputePotdemEnergy : public Compute {
   double inertia;    // of a particle, over m r^2
   class FixPotdemLedger *ledger() const;
   double kinetic() const;
-  double over_fixes(const char *style, bool scalar) const;
+  double of_gravity() const;
 };
 
 }    // namespace LAMMPS_NS

@@ -10,8 +10,8 @@
 
 #include "lammps/output/compute_potdem_piece_atom.h"
 
-#include "lammps/bond/bond_potdem_truss.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/find_styles.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -33,7 +33,7 @@ ComputePotdemPieceAtom::ComputePotdemPieceAtom(LAMMPS *lmp, int narg, char **arg
   if (narg > 3)
     error->all(FLERR, "compute potdem/piece/atom: unknown keyword '{}', it takes none", arg[3]);
   // the bond style makes the memory when the first run begins
-  if (!FixPotdemBondHistory::find(lmp) && !BondPotdemTruss::find(lmp))
+  if (!FixPotdemBondHistory::find(lmp) && potdem_find<BondMemory>(lmp).empty())
     error->all(FLERR,
                "compute potdem/piece/atom {} finds no memory of bonds: define it after bond_style "
                "potdem/truss or potdem_bonds",

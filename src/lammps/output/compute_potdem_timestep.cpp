@@ -7,11 +7,9 @@
 
 #include "lammps/output/compute_potdem_timestep.h"
 
-#include "lammps/bond/bond_potdem_truss.h"
+#include "lammps/glue/find_styles.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"
-#include "lammps/output/fix_potdem_damping.h"
-#include "lammps/pair/pair_potdem.h"
-#include "lammps/wall/fix_potdem_wall_region.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -32,7 +30,7 @@ static constexpr double SAME_STEP = 1.0 + 1e-10;
 /* ---------------------------------------------------------------------- */
 
 ComputePotdemTimestep::ComputePotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), ahead(0.0), bond(nullptr), step(0.0)
+    Compute(lmp, narg, arg), ahead(0.0), step(0.0)
 {
   PotdemInput input(lmp, "compute potdem/timestep", narg - 3, arg + 3);
   while (!input.done()) {
@@ -54,14 +52,6 @@ ComputePotdemTimestep::~ComputePotdemTimestep()
   delete[] vector;
 }
 
-template <class Style> static std::vector<Style *> fixes(Modify *modify, const char *pattern)
-{
-  std::vector<Style *> found;
-  for (const auto &fix : modify->get_fix_by_style(pattern))
-    found.push_back(dynamic_cast<Style *>(fix));
-  return found;
-}
-
 void ComputePotdemTimestep::init()
 {
   if (!atom->rmass_flag)
@@ -76,18 +66,17 @@ void ComputePotdemTimestep::init()
 
 void ComputePotdemTimestep::find_styles()
 {
-  bond = BondPotdemTruss::find(lmp);
-  pairs = PairPotdemBase::all(lmp);
-  walls = fixes<FixPotdemWallRegion>(modify, "^potdem/wall/region$");
-  dampings = fixes<FixPotdemDamping>(modify, "^potdem/damping$");
+  sources = potdem_find<StiffnessSource>(lmp);
+  amplifiers = potdem_find<ForceAmplifier>(lmp);
 }
 
 void ComputePotdemTimestep::warn_of_others() const
 {
-  if (!bond && atom->nbonds > 0 && force->bond)
-    warn_of("bond_style " + std::string(force->bond_style));
+  for (const auto &part : potdem_bond_parts(force))
+    if (atom->nbonds > 0 && !dynamic_cast<StiffnessSource *>(part.first))
+      warn_of("bond_style " + part.second);
   for (const auto &part : potdem_pair_parts(force))
-    if (!dynamic_cast<PairPotdemBase *>(part.first) && part.second != "zero")
+    if (!dynamic_cast<StiffnessSource *>(part.first) && part.second != "zero")
       warn_of("pair_style " + part.second);
 }
 
@@ -137,20 +126,17 @@ void ComputePotdemTimestep::compute_vector()
 void ComputePotdemTimestep::gather()
 {
   stiffness.reset(inverse_root_masses());
-  if (bond) bond->add_stiffness_to(stiffness);
-  for (const auto &pair : pairs) pair->add_stiffness_to(stiffness, ahead);
-  for (const auto &wall : walls) wall->add_stiffness_to(stiffness, ahead);
+  for (auto *const source : sources) source->add_stiffness_to(stiffness, ahead);
   if (force->newton_pair) comm->reverse_comm(this);
 }
 
-// fix potdem/damping raises a force by a fraction at most, as a smaller mass would
 std::vector<double> ComputePotdemTimestep::inverse_root_masses() const
 {
   std::vector<double> values(atom->nlocal + atom->nghost);
   for (std::size_t i = 0; i < values.size(); i++) {
     double mass = force->mvv2e * atom->rmass[i];
-    for (const auto &damping : dampings)
-      if (atom->mask[i] & damping->groupbit) mass /= damping->amplification();
+    for (const auto *amplifier : amplifiers)
+      if (amplifier->amplifies(i)) mass /= amplifier->amplification();
     values[i] = 1.0 / sqrt(mass);
   }
   return values;

@@ -31,11 +31,9 @@ class ComputePotdemTimestep : public Compute {
  private:
   enum { ELASTIC, STIFFEST, PARTICLE, NVALUES };
 
-  double ahead;                   // time
-  class BondPotdemTruss *bond;    // null: no bonds
-  std::vector<class PairPotdemBase *> pairs;
-  std::vector<class FixPotdemWallRegion *> walls;
-  std::vector<class FixPotdemDamping *> dampings;
+  double ahead;    // time
+  std::vector<class StiffnessSource *> sources;
+  std::vector<class ForceAmplifier *> amplifiers;
   PotdemStiffness stiffness;
   double step;
 

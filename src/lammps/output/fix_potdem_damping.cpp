@@ -59,6 +59,11 @@ void FixPotdemDamping::init()
   potdem_require_last(lmp, this, "acts on the total force", "");
 }
 
+bool FixPotdemDamping::amplifies(int i) const
+{
+  return atom->mask[i] & groupbit;
+}
+
 void FixPotdemDamping::setup(int vflag)
 {
   post_force(vflag);
@@ -68,7 +73,7 @@ void FixPotdemDamping::post_force(int /*vflag*/)
 {
   double **v = atom->v, **f = atom->f;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!amplifies(i)) continue;
     double drag[3];
     const double s = by_component ? 0.0
                                   : sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);

@@ -6,15 +6,18 @@
 #ifndef LMP_FIX_POTDEM_DAMPING_H
 #define LMP_FIX_POTDEM_DAMPING_H
 
+#include "lammps/glue/interfaces.h"
+
 #include "fix.h"
 
 namespace LAMMPS_NS {
 
-class FixPotdemDamping : public Fix {
+class FixPotdemDamping : public Fix, public ForceAmplifier {
  public:
   FixPotdemDamping(class LAMMPS *, int, char **);
   int setmask() override;
-  double amplification() const { return 1.0 + lambda; }    // of the force, at most
+  double amplification() const override { return 1.0 + lambda; }
+  bool amplifies(int i) const override;
   void init() override;
   void setup(int) override;
   void post_force(int) override;

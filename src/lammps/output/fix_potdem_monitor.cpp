@@ -5,9 +5,10 @@
 
 #include "lammps/output/fix_potdem_monitor.h"
 
+#include "lammps/glue/find_styles.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"
 #include "lammps/output/compute_potdem_timestep.h"
-#include "lammps/pair/pair_potdem.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -55,7 +56,7 @@ FixPotdemMonitor::FixPotdemMonitor(LAMMPS *lmp, int narg, char **arg) :
 FixPotdemMonitor::~FixPotdemMonitor()
 {
   if (!force) return;
-  for (auto *const pair : PairPotdemBase::all(lmp)) pair->lose_monitor();
+  for (auto *const user : potdem_find<MonitorUser>(lmp)) user->lose_monitor();
 }
 
 int FixPotdemMonitor::setmask()

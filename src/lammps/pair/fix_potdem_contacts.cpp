@@ -5,8 +5,6 @@
 
 #include "lammps/pair/fix_potdem_contacts.h"
 
-#include "lammps/pair/pair_potdem.h"
-
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
@@ -15,6 +13,7 @@
 #include "my_page.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "pair.h"
 
 #include <algorithm>
 
@@ -74,7 +73,7 @@ FixPotdemContacts::FixPotdemContacts(LAMMPS *lmp, int narg, char **arg) :
 // by the user; or by its pair style, which has said so
 FixPotdemContacts::~FixPotdemContacts()
 {
-  if (auto *const whose = dynamic_cast<PairPotdemBase *>(pair)) whose->lose_contacts();
+  if (auto *const whose = dynamic_cast<ContactMemory *>(pair)) whose->lose_contacts();
 }
 
 void FixPotdemContacts::init()

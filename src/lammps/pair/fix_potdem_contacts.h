@@ -14,18 +14,14 @@
 #ifndef LMP_FIX_POTDEM_CONTACTS_H
 #define LMP_FIX_POTDEM_CONTACTS_H
 
+#include "lammps/glue/interfaces.h"
+
 #include "fix_neigh_history.h"
 
 #include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
-
-// of two particles, by their IDs: their distance at which the law of contact begins; 0: where they touch, as any others
-struct PotdemNewContact {
-  tagint first, second;
-  double distance;
-};
 
 class FixPotdemContacts : public FixNeighHistory {
  public:

@@ -6,8 +6,7 @@
 #include "lammps/pair/pair_potdem.h"
 
 #include "core/stability/turning_point.h"
-#include "lammps/bond/bond_potdem_truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/find_styles.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_input.h"
@@ -28,7 +27,6 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "pair_hybrid.h"
 #include "update.h"
 
 #include <algorithm>
@@ -37,32 +35,6 @@
 #include <limits>
 
 using namespace LAMMPS_NS;
-
-// PairHybrid keeps its parts to itself and its heirs
-struct HybridParts : public PairHybrid {
-  using PairHybrid::keywords;
-  using PairHybrid::nstyles;
-  using PairHybrid::styles;
-};
-
-std::vector<std::pair<Pair *, std::string>> LAMMPS_NS::potdem_pair_parts(Force *force)
-{
-  if (!force->pair) return {};
-  const auto hybrid = dynamic_cast<PairHybrid *>(force->pair);
-  if (!hybrid) return {{force->pair, force->pair_style}};
-  std::vector<std::pair<Pair *, std::string>> found;
-  for (int k = 0; k < hybrid->*&HybridParts::nstyles; k++)
-    found.emplace_back((hybrid->*&HybridParts::styles)[k], (hybrid->*&HybridParts::keywords)[k]);
-  return found;
-}
-
-std::vector<PairPotdemBase *> PairPotdemBase::all(LAMMPS *lmp)
-{
-  std::vector<PairPotdemBase *> found;
-  for (const auto &part : potdem_pair_parts(lmp->force))
-    if (const auto pair = dynamic_cast<PairPotdemBase *>(part.first)) found.push_back(pair);
-  return found;
-}
 
 /* ---------------------------------------------------------------------- */
 
@@ -198,7 +170,7 @@ void PairPotdemBase::init_style()
   neighbor->add_request(this, contact_only() ? NeighConst::REQ_SIZE : NeighConst::REQ_DEFAULT);
 }
 
-// where bonds can fail
+// where bonds can fail; or where a restart file has brought what contacts remember
 void PairPotdemBase::find_contacts()
 {
   if (lost_contacts)
@@ -207,10 +179,9 @@ void PairPotdemBase::find_contacts()
                "with unfix: "
                "leave it, or begin anew",
                name(), contacts_id);
-  if (!BondPotdemTruss::find(lmp) && !modify->get_fix_by_id(contacts_id)) return;
-  contacts = FixPotdemContacts::ensure(lmp, contacts_id, this);
-  // after a restart the pair style is the first to ask for it
-  if (BondPotdemTruss::find(lmp)) contacts->expect(FixPotdemBondHistory::ensure(lmp)->new_contacts);
+  const bool bonds = !potdem_find<BondMemory>(lmp).empty();
+  if (bonds || modify->get_fix_by_id(contacts_id))
+    contacts = FixPotdemContacts::ensure(lmp, contacts_id, this);
 }
 
 void PairPotdemBase::expect_contacts(const std::vector<PotdemNewContact> &announced)

@@ -21,6 +21,7 @@
 #include "core/laws/contact_geometry.h"
 #include "core/laws/evaluation.h"
 #include "core/laws/friction.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/pair/potdem_touch.h"
@@ -35,10 +36,12 @@ namespace LAMMPS_NS {
 
 class PotdemInput;
 
-// the styles of hybrid, or the one that there is: (style, name)
-std::vector<std::pair<Pair *, std::string>> potdem_pair_parts(class Force *);
-
-class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
+class PairPotdemBase :
+    public PotdemCompat::PairWithCutoffsBySize,
+    public StiffnessSource,
+    public SizedReach,
+    public ContactMemory,
+    public MonitorUser {
  public:
   PairPotdemBase(class LAMMPS *);
   ~PairPotdemBase() override;
@@ -54,26 +57,14 @@ class PairPotdemBase : public PotdemCompat::PairWithCutoffsBySize {
   void write_data_all(FILE *) override;
   double single(int, int, int, int, double, double, double, double &) override;
   void *extract(const char *, int &) override;
-  // for compute potdem/timestep; pairs that touch within the time `ahead` as they will be
-  // where they turn back
-  void add_stiffness_to(class PotdemStiffness &, double ahead);
-  // those in use, also as parts of hybrid
-  static std::vector<PairPotdemBase *> all(class LAMMPS *);
-
-  // for fix POTDEM_REFRESH
-  bool outgrown()
-      const;    // a particle of this rank is larger, smaller or lighter than find_sizes() saw them
-  void find_sizes();    // of the particles that there are, and of those that fixes are to insert
-  double reach_per_size()
-      const;    // how much further the laws reach, at most, over how much larger particles are
-
-  // for fix POTDEM_CONTACTS
-  void expect_contacts(const std::vector<struct PotdemNewContact> &);    // the same on all ranks
+  void add_stiffness_to(class PotdemStiffness &, double ahead) override;
+  bool outgrown() const override;
+  void find_sizes() override;
+  double reach_per_size() const override;
+  void expect_contacts(const std::vector<PotdemNewContact> &) override;
+  void lose_contacts() override;
+  void lose_monitor() override { monitor = nullptr; }
   void transfer_history(double *from, double *to, int, int) override { *to = *from; }
-
-  // somebody removes one of our fixes
-  void lose_contacts();
-  void lose_monitor() { monitor = nullptr; }
 
   double atom2cut(int) override;
   double radii2cut(double, double) override;

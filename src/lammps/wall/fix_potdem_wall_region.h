@@ -8,6 +8,7 @@
 
 #include "core/laws/friction.h"
 #include "core/laws/wall.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/wall/potdem_wall_surface.h"
 
 #include "fix.h"
@@ -18,7 +19,7 @@
 
 namespace LAMMPS_NS {
 
-class FixPotdemWallRegion : public Fix {
+class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySource {
  public:
   FixPotdemWallRegion(class LAMMPS *, int, char **);
   void post_constructor() override;
@@ -31,9 +32,9 @@ class FixPotdemWallRegion : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
-  // for compute potdem/timestep; particles that touch within the time `ahead` as they will
-  // be where they turn back
-  void add_stiffness_to(class PotdemStiffness &, double ahead);
+  void add_stiffness_to(class PotdemStiffness &, double ahead) override;
+  Term energy_term() const override { return WALLS; }
+  double energy() override { return compute_scalar(); }
 
  private:
   // a particle that touches a face

@@ -1,0 +1,97 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What the styles of this package ask of each other. A style that offers one of these derives from it as well as from
+   LAMMPS's own class, and is found by it (find_styles.h): nobody asks for a style by its name. */
+
+#ifndef LMP_POTDEM_INTERFACES_H
+#define LMP_POTDEM_INTERFACES_H
+
+#include "lmptype.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+// never owned
+class Interface {
+ protected:
+  ~Interface() = default;
+};
+
+// adds the springs that it has between particles now, for the critical step; what touches within the time `ahead` as it
+// will be where it turns back
+class StiffnessSource : public Interface {
+ public:
+  virtual void add_stiffness_to(class PotdemStiffness &, double ahead) = 0;
+};
+
+// raises forces by a factor at most, as smaller masses would
+class ForceAmplifier : public Interface {
+ public:
+  virtual double amplification() const = 0;
+  virtual bool amplifies(int i) const = 0;    // force on particle i
+};
+
+// keeps a part of the energy that neither the pair nor the bond style tallies; joules since the first run, or now
+class EnergySource : public Interface {
+ public:
+  enum Term { WALLS, FRACTURE };
+  virtual Term energy_term() const = 0;
+  virtual double energy() = 0;    // over all ranks
+};
+
+// reaches as far as its particles are large
+class SizedReach : public Interface {
+ public:
+  // a particle of this rank is larger, smaller or lighter than find_sizes() saw them
+  virtual bool outgrown() const = 0;
+  // of the particles that there are, and of those that fixes are to insert
+  virtual void find_sizes() = 0;
+  // how much further it reaches, at most, over how much larger particles are
+  virtual double reach_per_size() const = 0;
+};
+
+// of two particles, by their IDs: their distance at which the law of contact begins; 0: where they touch, as any others
+struct PotdemNewContact {
+  tagint first, second;
+  double distance;
+};
+
+// contacts that remember
+class ContactMemory : public Interface {
+ public:
+  virtual void
+  expect_contacts(const std::vector<PotdemNewContact> &) = 0;    // the same on all ranks
+  virtual void lose_contacts() = 0;    // somebody removes the fix that keeps them
+};
+
+// bonds that remember, and fail
+class BondMemory : public Interface {
+ public:
+  virtual bool
+  has_new_bonds() const = 0;    // on this rank: such as have come since the last rebuild
+  virtual void
+  expect_new_bonds() = 0;    // on all ranks, before a rebuild: ghosts will reach their ends
+  virtual void masses_changed() = 0;
+  virtual void lose_memory() = 0;    // somebody removes the fix that keeps it
+  virtual bool lost_memory() const = 0;
+};
+
+// decides what bonds of a type bear
+class FailureCriterion : public Interface {
+ public:
+  virtual void give_strengths_to(class BondPotdemTruss &) const = 0;
+};
+
+// asks to be told when the fix that warns is removed
+class MonitorUser : public Interface {
+ public:
+  virtual void lose_monitor() = 0;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
