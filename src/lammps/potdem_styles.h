@@ -4,14 +4,11 @@
 
 // clang-format off
 #ifdef PAIR_CLASS
-PairStyle(potdem/granular,PairPotdemGranular);
-PairStyle(potdem/granular/omp,PairPotdemGranularOMP);
-PairStyle(potdem/hertz,PairPotdemHertz);
-PairStyle(potdem/hertz/omp,PairPotdemHertzOMP);
-PairStyle(potdem/lj,PairPotdemLJ);
-PairStyle(potdem/lj/omp,PairPotdemLJOMP);
-PairStyle(potdem/truss,PairPotdemTruss);
-PairStyle(potdem/truss/omp,PairPotdemTrussOMP);
+#define POTDEM_PAIR_STYLE(name, Law) \
+  PairStyle(potdem/name,PairPotdem<POTDEM::Law>); \
+  PairStyle(potdem/name/omp,PairPotdemOMP<POTDEM::Law>);
+CONTACT_LAWS(POTDEM_PAIR_STYLE)
+#undef POTDEM_PAIR_STYLE
 #elif defined(BOND_CLASS)
 BondStyle(potdem/truss,BondPotdemTruss);
 BondStyle(potdem/truss/omp,BondPotdemTrussOMP);
@@ -55,11 +52,8 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "lammps/output/fix_potdem_reference.h"
 #include "lammps/output/fix_potdem_timestep.h"
 #include "lammps/pair/fix_potdem_contacts.h"
-#include "lammps/pair/pair_potdem_granular.h"
-#include "lammps/pair/pair_potdem_hertz.h"
-#include "lammps/pair/pair_potdem_lj.h"
+#include "lammps/pair/pair_potdem.h"
 #include "lammps/pair/pair_potdem_omp.h"
-#include "lammps/pair/pair_potdem_truss.h"
 #include "lammps/wall/fix_potdem_wall_region.h"
 #endif
 #endif

@@ -1,7 +1,6 @@
 #include "core/laws/continued.h"
 #include "core/laws/regularised_granular.h"
 #include "core/laws/shifted_lj.h"
-#include "core/laws/wall.h"
 
 #include "reference.h"
 
@@ -96,14 +95,15 @@ TEST(Continued, ReachesTheCentre)
 TEST(Continued, ServesWalls)
 {
   RegularisedGranular law{300.0, 4.0, alpha, 3.0, 0.5};
-  const LawWall<RegularisedGranular> wall{law, law.kernel(false)};
-  EXPECT_EQ(wall.hard_core(0.5), 0.0);
+  const auto wall = law.kernel(false);
+  const WallGeometry at{0.5, 0.5};
+  EXPECT_EQ(wall.hard_core(at), 0.0);
   reference::expect_derivatives(
       [&](double z) {
-        return wall.evaluate(z, 0.5);
+        return wall.evaluate(z, at);
       },
       0.3, 1e-3);
-  EXPECT_GT(wall.evaluate(0.1, 0.5).force, wall.evaluate(0.3, 0.5).force);
+  EXPECT_GT(wall.evaluate(0.1, at).force, wall.evaluate(0.3, at).force);
 }
 
 }    // namespace

@@ -1,4 +1,5 @@
 #include "core/laws/hertz.h"
+#include "core/laws/viscous.h"
 
 #include "reference.h"
 
@@ -7,6 +8,13 @@
 using namespace POTDEM;
 
 namespace {
+
+Hertz hertz_of(double E, double nu)
+{
+  Hertz law{E, nu, 0.0};
+  law.complete();
+  return law;
+}
 
 struct Material {
   double E, nu;
@@ -35,7 +43,7 @@ TEST(Hertz, IsTheFormula)
 {
   for (const auto &material : materials)
     for (const auto &d : diameters) {
-      const auto kernel = Hertz::of(material.E, material.nu).kernel(false);
+      const auto kernel = hertz_of(material.E, material.nu).kernel(false);
       const auto pair = contact_only(d);
       for (const double overlap : overlaps) {
         const double r = pair.contact - overlap * std::fmin(d[0], d[1]);
@@ -57,7 +65,7 @@ TEST(Hertz, EnergyForceAndStiffnessBelongTogether)
 {
   for (const auto &material : materials)
     for (const auto &d : diameters) {
-      const auto kernel = Hertz::of(material.E, material.nu).kernel(false);
+      const auto kernel = hertz_of(material.E, material.nu).kernel(false);
       const auto pair = contact_only(d);
       for (const double overlap : overlaps) {
         const double w = overlap * std::fmin(d[0], d[1]), r = pair.contact - w;
@@ -75,7 +83,7 @@ TEST(Hertz, EnergyForceAndStiffnessBelongTogether)
 TEST(Hertz, NothingFromTheContactDistanceOn)
 {
   for (const auto &d : diameters) {
-    const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
+    const auto kernel = hertz_of(1e7, 0.3).kernel(false);
     const auto pair = contact_only(d);
     EXPECT_EQ(Hertz::reach(pair.dbar()), pair.dbar());
     for (const double r : {pair.contact, std::nextafter(pair.contact, 100.0), 2.0 * pair.contact}) {
@@ -89,7 +97,7 @@ TEST(Hertz, NothingFromTheContactDistanceOn)
 
 TEST(Hertz, StartsFromNothing)
 {
-  const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
+  const auto kernel = hertz_of(1e7, 0.3).kernel(false);
   const ContactGeometry pair{0.5, 0.5, 1.0};
   const auto at = kernel.evaluate(std::nextafter(1.0, 0.0), pair);
   EXPECT_GT(at.force, 0.0);
@@ -102,7 +110,7 @@ TEST(Hertz, TwoMaterials)
 {
   const double E1 = 2e11, nu1 = 0.3, E2 = 3e9, nu2 = 0.4;
   EXPECT_NEAR(contact_modulus(E1, nu1, E2, nu2), 1.0 / (0.91 / E1 + 0.84 / E2), 1e-15 * E2 * 10);
-  EXPECT_EQ(Hertz::of(E1, nu1).modulus, contact_modulus(E1, nu1, E1, nu1));
+  EXPECT_EQ(hertz_of(E1, nu1).modulus, contact_modulus(E1, nu1, E1, nu1));
 }
 
 TEST(Hertz, EffectiveRadius)
@@ -116,7 +124,7 @@ TEST(Hertz, EffectiveRadius)
 // a pair that failed while it overlapped starts from zero at its distance of failure; its radii stay
 TEST(Hertz, AShorterContactDistance)
 {
-  const auto kernel = Hertz::of(1e7, 0.3).kernel(false);
+  const auto kernel = hertz_of(1e7, 0.3).kernel(false);
   const ContactGeometry full{0.5, 0.25, 0.75}, failed{0.5, 0.25, 0.625};
   EXPECT_EQ(kernel.evaluate(0.625, failed).force, 0.0);
   for (const double w : {0.0625, 0.25}) {    // exact in binary
@@ -132,11 +140,8 @@ const ContactGeometry spheres{0.5, 0.5, 1.0};
 
 double total(bool attract, double rate)
 {
-  auto law = Hertz::of(E, nu);
-  law.H = H;
-  law.attract = attract;
-  const auto kernel = law.kernel(false);
-  return kernel.with_rate(kernel.evaluate(r, spheres).force, r, spheres, rate);
+  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
+  return Viscous{H, attract ? 1.0 : 0.0}.total(elastic, spheres.contact - r, rate);
 }
 
 double literal(double rate)
@@ -167,10 +172,16 @@ TEST(HertzViscous, DoesNotAttractUnlessAskedTo)
 
 TEST(HertzViscous, WithoutViscosityTheElasticForce)
 {
-  const auto kernel = Hertz::of(E, nu).kernel(false);
-  const double elastic = kernel.evaluate(r, spheres).force;
+  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
   for (const double rate : {-1e6, 0.0, 1e6})
-    EXPECT_EQ(kernel.with_rate(elastic, r, spheres, rate), elastic);
+    EXPECT_EQ((Viscous{0.0, 0.0}.total(elastic, spheres.contact - r, rate)), elastic);
+}
+
+TEST(HertzViscous, ItsViscosityIsTheSlopeOverTheRate)
+{
+  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
+  const Viscous law{H, 0.0};
+  EXPECT_DOUBLE_EQ(law.viscosity(elastic, 1.0 - r), literal(-1.0) - literal(0.0));
 }
 
 }    // namespace

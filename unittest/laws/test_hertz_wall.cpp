@@ -13,6 +13,11 @@ constexpr double modulus = 2.1e9, ri = 0.013;
 struct Case {
   double layer, m;
 };
+HertzWall::Kernel wall(const Case &c)
+{
+  return {modulus, c.layer, c.m};
+}
+
 const Case cases[] = {{0.0, 2.0}, {0.1, 1.0}, {0.1, 2.0}, {0.1, 3.0}, {0.4, 2.5}};
 const double overlaps[] = {1e-6, 1e-3, 0.05, 0.099, 0.101, 0.2, 0.399, 0.401, 0.9};    // over ri
 
@@ -29,8 +34,7 @@ TEST(HertzWall, ForceIsTheFormula)
   for (const auto &c : cases)
     for (const double overlap : overlaps) {
       const double w = overlap * ri, expected = static_cast<double>(force_of(w, c));
-      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).force), expected,
-                  1e-14 * expected);
+      EXPECT_NEAR(wall(c).at_overlap(w, ri).force, expected, 1e-14 * expected);
     }
 }
 
@@ -51,8 +55,8 @@ TEST(HertzWall, EnergyIsTheIntegralOfTheForce)
       long double expected = reference::integral(inside, std::pow(start, 0.25L));
       if (gamma > 0.0 && w > gamma)
         expected += reference::integral(above, w - static_cast<long double>(gamma));
-      EXPECT_NEAR((HertzWall{modulus, c.layer, c.m}.evaluate(w, ri).energy),
-                  static_cast<double>(expected), 1e-11 * static_cast<double>(expected))
+      EXPECT_NEAR(wall(c).at_overlap(w, ri).energy, static_cast<double>(expected),
+                  1e-11 * static_cast<double>(expected))
           << "layer " << c.layer << " m " << c.m << " w/ri " << overlap;
     }
 }
@@ -64,10 +68,10 @@ TEST(HertzWall, EnergyForceAndStiffnessBelongTogether)
       const double w = overlap * ri;
       // differences must not reach over the kink at the layer's edge
       const double edge = std::fabs(w - c.layer * ri), scale = std::fmin(w, edge > 0.0 ? edge : w);
-      const HertzWall law{modulus, c.layer, c.m};
+      const auto law = wall(c);
       reference::expect_derivatives(
           [&](double t) {
-            return law.evaluate(t, ri);
+            return law.at_overlap(t, ri);
           },
           w, scale, -1.0);
     }
@@ -76,12 +80,12 @@ TEST(HertzWall, EnergyForceAndStiffnessBelongTogether)
 TEST(HertzWall, StartsFromNothing)
 {
   for (const auto &c : cases) {
-    const HertzWall law{modulus, c.layer, c.m};
-    const auto touch = law.evaluate(0.0, ri);
+    const auto law = wall(c);
+    const auto touch = law.at_overlap(0.0, ri);
     EXPECT_EQ(touch.energy, 0.0);
     EXPECT_EQ(touch.force, 0.0);
     EXPECT_EQ(touch.stiffness, 0.0);
-    const auto near = law.evaluate(1e-14 * ri, ri);
+    const auto near = law.at_overlap(1e-14 * ri, ri);
     EXPECT_GT(near.force, 0.0);
     EXPECT_LT(near.force,
               1e-20 * modulus * ri * ri);    // (4/3) 1e-21 without a layer, less with one
@@ -92,10 +96,10 @@ TEST(HertzWall, EnergyAndForceAreContinuousAtTheLayersEdge)
 {
   for (const auto &c : cases) {
     if (c.layer == 0.0) continue;
-    const HertzWall law{modulus, c.layer, c.m};
+    const auto law = wall(c);
     const double gamma = c.layer * ri;
-    const auto below = law.evaluate(gamma * (1.0 - 1e-13), ri),
-               above = law.evaluate(gamma * (1.0 + 1e-13), ri);
+    const auto below = law.at_overlap(gamma * (1.0 - 1e-13), ri),
+               above = law.at_overlap(gamma * (1.0 + 1e-13), ri);
     EXPECT_NEAR(below.force, above.force, 1e-12 * above.force);
     EXPECT_NEAR(below.energy, above.energy, 1e-12 * above.energy);
     EXPECT_NEAR(below.stiffness, above.stiffness * (1.5 + 1.0 / c.m) / 1.5,
@@ -105,10 +109,22 @@ TEST(HertzWall, EnergyAndForceAreContinuousAtTheLayersEdge)
 
 TEST(HertzWall, TheLayerSoftensOnlyInside)
 {
-  const HertzWall bare{modulus, 0.0, 2.0}, soft{modulus, 0.1, 2.0};
-  EXPECT_LT(soft.evaluate(0.05 * ri, ri).force, bare.evaluate(0.05 * ri, ri).force);
-  EXPECT_DOUBLE_EQ(soft.evaluate(0.15 * ri, ri).force, bare.evaluate(0.15 * ri, ri).force);
-  EXPECT_DOUBLE_EQ(soft.thickness(ri), 0.1 * ri);
+  const auto bare = wall({0.0, 2.0}), soft = wall({0.1, 2.0});
+  EXPECT_LT(soft.at_overlap(0.05 * ri, ri).force, bare.at_overlap(0.05 * ri, ri).force);
+  EXPECT_DOUBLE_EQ(soft.at_overlap(0.15 * ri, ri).force, bare.at_overlap(0.15 * ri, ri).force);
+}
+
+TEST(HertzWall, ReachesToTheFaceOfTheLayerAndBeginsThere)
+{
+  HertzWall law{};
+  law.layer = 0.1;
+  law.m = 2.0;
+  law.modulus = modulus;
+  EXPECT_DOUBLE_EQ(law.reach(ri), 1.1 * ri);
+  const WallGeometry at{ri, law.reach(ri)};
+  EXPECT_EQ(law.kernel(false).evaluate(law.reach(ri), at).force, 0.0);
+  const double w = 0.25 * ri, expected = static_cast<double>(force_of(w, {0.1, 2.0}));
+  EXPECT_NEAR(law.kernel(false).evaluate(law.reach(ri) - w, at).force, expected, 1e-14 * expected);
 }
 
 TEST(HertzWall, ContactModulus)

@@ -117,12 +117,12 @@ TEST(ShiftedLJ, TheDefaultCutIsTheLargestAttraction)
   for (const double n : exponents) {
     const double R = 0.7, cut = ShiftedLJ::default_cut(R, n);
     const auto kernel = ShiftedLJ{5.0, R, n, 0.0, 2.0 * cut}.kernel(false);    // continued beyond
-    const auto at = kernel.at(cut);
+    const auto at = kernel.law_at(cut);
     EXPECT_NEAR(at.stiffness, 0.0, 1e-13 * 5.0 * (2 * n + 1));
-    for (const double t : {0.9, 0.99, 1.01, 1.1}) EXPECT_GT(kernel.at(t * cut).force, at.force);
+    for (const double t : {0.9, 0.99, 1.01, 1.1}) EXPECT_GT(kernel.law_at(t * cut).force, at.force);
     EXPECT_LT(at.force, 0.0);
-    EXPECT_GT(kernel.at(0.99 * cut).stiffness, 0.0);
-    EXPECT_LT(kernel.at(1.01 * cut).stiffness,
+    EXPECT_GT(kernel.law_at(0.99 * cut).stiffness, 0.0);
+    EXPECT_LT(kernel.law_at(1.01 * cut).stiffness,
               0.0);    // the softening branch that the cut leaves out
   }
 }
@@ -158,7 +158,7 @@ TEST(ShiftedLJ, TheShiftMakesTheEnergyZeroAtTheCutAndNothingElse)
       // the force times the distance to the cut
       EXPECT_NEAR(shifted.evaluate(below, pair).energy, 0.0,
                   1e-12 * std::fabs(plain.evaluate(below, pair).force) + 1e-14 * K0 * R * R);
-      const double at_cut = plain.at(law.cut).energy;
+      const double at_cut = plain.law_at(law.cut).energy;
       for (const double place : {0.3, 0.7}) {
         const auto a = plain.evaluate(0.9 + place * R, pair),
                    b = shifted.evaluate(0.9 + place * R, pair);
@@ -176,7 +176,7 @@ TEST(ShiftedLJ, TwoParticlesCannotPassTheCore)
     const auto kernel = law_of(10.0, R, n, 0.0).kernel(false);
     double previous = 0.0;
     for (const double s : {0.5, 0.1, 1e-2, 1e-3, 1e-6, 1e-30, 1e-300}) {
-      const auto at = kernel.at(s * R);
+      const auto at = kernel.law_at(s * R);
       EXPECT_GE(at.force, previous);    // without bound, at last infinite, never NaN
       EXPECT_GT(at.energy, -10.0 * R * R / (n * n));
       EXPECT_GT(at.stiffness, 0.0);

@@ -12,7 +12,7 @@ constexpr double E = 3e7, a = 0.8, dbar = 0.05;
 
 TEST(TrussContact, NothingFromTheContactDistanceOn)
 {
-  for (const int m : {0, 2}) {
+  for (const double m : {0, 2}) {
     const auto kernel = TrussContact{E, a, m, 0}.kernel(false);
     for (const double dref : {dbar, 0.7 * dbar})
       for (const double r : {dref, std::nextafter(dref, 1.0), 1.5 * dref}) {
@@ -26,7 +26,7 @@ TEST(TrussContact, NothingFromTheContactDistanceOn)
 
 TEST(TrussContact, StartsFromZeroForceAndEnergy)
 {
-  for (const int m : {0, 3}) {
+  for (const double m : {0, 3}) {
     const auto kernel = TrussContact{E, a, m, 0}.kernel(false);
     const double dref = 0.9 * dbar, modulus = E * a * M_PI / 4.0 * dbar * dbar;
     const auto at =
@@ -50,8 +50,8 @@ TEST(TrussContact, ForceIsTheTrussOfTheContactDistance)
 
 TEST(TrussContact, EnergyForceAndStiffnessBelongTogether)
 {
-  for (const int m : {0, 1, 2, 3, 6, 12})
-    for (const int normalized : {0, 1}) {
+  for (const double m : {0, 1, 2, 3, 6, 12})
+    for (const double normalized : {0, 1}) {
       const auto kernel = TrussContact{E, a, m, normalized}.kernel(false);
       for (const double dref : {dbar, 0.8 * dbar})
         for (const double x : {1e-3, 0.05, 0.4, 0.8, 0.97})
@@ -65,7 +65,7 @@ TEST(TrussContact, EnergyForceAndStiffnessBelongTogether)
 
 TEST(TrussContact, NeverAttracts)
 {
-  for (const int m : {0, 1, 12}) {
+  for (const double m : {0, 1, 12}) {
     const auto kernel = TrussContact{E, a, m, 0}.kernel(false);
     for (double x = 0.001; x < 2.0; x += 0.001) {
       EXPECT_GE(kernel.evaluate(x * dbar, ContactGeometry{0.5 * dbar, 0.5 * dbar, dbar}).force,

@@ -12,6 +12,13 @@ using namespace POTDEM;
 
 namespace {
 
+Hertz hertz_of(double E, double nu)
+{
+  Hertz law{E, nu, 0.0};
+  law.complete();
+  return law;
+}
+
 const ContactGeometry spheres{0.5, 0.5, 1.0};
 
 template <class Kernel> double turn(const Kernel &kernel, double outer, double kinetic)
@@ -24,7 +31,7 @@ template <class Kernel> double turn(const Kernel &kernel, double outer, double k
 // the overlap at rest of eq. 5.16, for energies over ten decades
 TEST(TurningPoint, OfHertz)
 {
-  const auto kernel = Hertz::of(1e6, 0.3).kernel(false);
+  const auto kernel = hertz_of(1e6, 0.3).kernel(false);
   const double K = 4.0 / 3.0 * 1e6 / (2.0 * (1.0 - 0.09)) * std::sqrt(0.25);
   for (double w = 1e-5; w < 0.3; w *= 1.7)
     for (const double start : {0.0, 0.5, 0.999}) {
@@ -62,7 +69,7 @@ TEST(TurningPoint, OfEveryLaw)
 // a blow beyond what the law can take up ends at the smallest distance
 TEST(TurningPoint, OfABlowBeyondTheLaw)
 {
-  const auto kernel = Hertz::of(1.0, 0.0).kernel(false);
+  const auto kernel = hertz_of(1.0, 0.0).kernel(false);
   const double r = turn(kernel, 1.0, 1e6);
   EXPECT_GT(r, 0.0);
   EXPECT_LT(r, 1e-6);

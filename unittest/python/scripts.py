@@ -8,6 +8,19 @@ import numpy as np
 ALL_DIGITS = "%.17g"
 
 
+def registered_styles(root):
+    """(kind, name) of each style of the package: the rows of potdem_styles.h, and of the lists of laws from which it makes some"""
+    rows = r"^(\w+)Style\((\S+?),"
+    table = (root / "src" / "lammps" / "potdem_styles.h").read_text()
+    found = [(kind.lower(), name) for kind, name in re.findall(rows, table, re.MULTILINE)]
+    laws = (root / "src" / "core" / "laws" / "law_list.h").read_text()
+    for kind, pattern in re.findall(r"^  (\w+)Style\((potdem/name\S*?),", table, re.MULTILINE):
+        listed = {"Pair": "CONTACT_LAWS", "Bond": "BOND_LAWS"}[kind]
+        (block,) = re.findall(rf"#define {listed}\(X\)((?:.*\\\n)*.*)", laws)
+        found += [(kind.lower(), pattern.replace("name", law)) for law in re.findall(r"X\((\w+), \w+\)", block)]
+    return found
+
+
 def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3,
         centre=0.0, room=0):
     """an empty box, size a number or three, its centre at a place on the diagonal; room: for bonds that do not come from

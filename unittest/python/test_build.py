@@ -19,8 +19,7 @@ NOWHERE = "file:///no/such/place"
 
 def styles(root):
     """(kind, name) of each style in the registration table"""
-    table = (root / "src" / "lammps" / "potdem_styles.h").read_text()
-    return [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
+    return scripts.registered_styles(root)
 
 
 def plugin_list(run):

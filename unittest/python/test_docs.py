@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+import scripts
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -52,11 +53,17 @@ run 20
 """
 
 
+def law_header(style):
+    """core/laws/*.h of a pair style, by its row of CONTACT_LAWS"""
+    laws = ROOT / "src" / "core" / "laws"
+    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", (laws / "law_list.h").read_text())
+    (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law} {{", header.read_text(), re.MULTILINE)]
+    return header
+
+
 def registered_styles():
     """(kind, name) of the styles a user can name"""
-    table = (ROOT / "src" / "lammps" / "potdem_styles.h").read_text()
-    found = [(kind.lower(), name) for kind, name in re.findall(r"^(\w+)Style\((\S+?),", table, re.MULTILINE)]
-    return [(kind, name) for kind, name in found if not name.isupper()]
+    return [(kind, name) for kind, name in scripts.registered_styles(ROOT) if not name.isupper()]
 
 
 def accelerated(name):
@@ -139,14 +146,15 @@ def test_page_names_the_variant_on_threads(kind, name):
 @pytest.mark.parametrize("kind, name", STYLES, ids=[f"{kind}-{name}" for kind, name in STYLES])
 def test_page_names_every_keyword_that_the_style_reads(kind, name):
     stem = page_of(kind, name).stem
-    (source,) = (ROOT / "src" / "lammps").rglob(f"{stem if kind != 'command' else name}.cpp")
-    text = source.read_text()
-    keywords = re.findall(r'next_is\("(\w+)"\)', text)
-    # those that potdem_input.cpp reads for several styles
-    keywords += ["file", "auto"] * ("input.friction()" in text) + ["normalized"] * ("input.penetration(" in text)
-    if kind == "pair":    # and those that potdem_pair_loop.h and potdem_law_input.cpp read for all pair styles
-        keywords += ["rotation", "friction", "file"] + {"truss": ["penetration", "normalized"], "hertz": ["viscous", "attract"]}.get(
-            name.split("/")[1], ["length", "cut"])
+    sources = [*(ROOT / "src" / "lammps").rglob(f"{stem if kind != 'command' else name}.cpp")]
+    if kind == "pair":
+        sources = [ROOT / "src" / "lammps" / "pair" / "pair_potdem_coeff.h", law_header(name)]
+    text = "".join(source.read_text() for source in sources)
+    keywords = re.findall(r'(?:next_is|option|flag|setting|or_word)\("(\w+)"', text)
+    keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file", "auto"] * ("potdem_read_friction(" in text)
+    if "rate_dependent = true" in text:
+        keywords += ["viscous", "attract"]
+    assert keywords or kind in ("compute", "command")
     page = page_of(kind, name).read_text(encoding="utf-8")
     syntax = section(page, "Syntax")
     assert [word for word in keywords if not re.search(rf"\b{word}\b", syntax)] == []

@@ -75,7 +75,7 @@ def test_core_of_a_law_is_an_error(run_lammps):
         assert words in message, message
 
 
-@pytest.mark.parametrize("words, expected", [("law cubic 1 2", ["'cubic'", "lj, granular or truss"]),
+@pytest.mark.parametrize("words, expected", [("law cubic 1 2", ["'cubic'", "granular, hertz, lj or truss"]),
                                              ("law granular 50 2 0.3", ["n = 2", "> 2"]),
                                              ("law lj 50 0.1 2 0.2 layer none", ["'layer'", "cut, linear, friction or rotation"])])
 def test_bad_input(run_lammps, words, expected):

@@ -1,4 +1,13 @@
-/* Two particles as a contact law sees them. Lengths. */
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Two particles, or a particle and a wall, as a contact law sees them. Lengths.
+
+   A flat wall is a particle without extent on the surface (thesis 5.3: "the particle-boundary phenomenon can be described by
+   the same potentials"): the mean diameter is the sphere's radius ri and contact begins at the distance ri of its centre
+   from the surface. Lengths of a law (R, the cut) are measured as between particles; alpha and x are fractions of ri. */
 
 #ifndef POTDEM_CONTACT_GEOMETRY_H
 #define POTDEM_CONTACT_GEOMETRY_H
@@ -6,12 +15,24 @@
 namespace POTDEM {
 
 struct ContactGeometry {
+  static constexpr bool flat = false;
+
   double ri, rj;    // radii
   double
       contact;    // distance of first contact: dbar, or less for a pair whose bond failed within reach
 
   double dbar() const { return ri + rj; }                            // mean diameter
   double effective_radius() const { return ri * rj / (ri + rj); }    // d*/2 of eq. 5.15
+};
+
+struct WallGeometry {
+  static constexpr bool flat = true;    // to slide along it changes no distance
+
+  double ri;         // radius
+  double contact;    // distance of first contact, of the centre from the surface
+
+  double dbar() const { return ri; }
+  double effective_radius() const { return ri; }
 };
 
 // stiffness of two different springs, or modulus of two half trusses, in series (eq. 3.8)

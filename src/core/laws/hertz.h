@@ -1,15 +1,21 @@
-/* Hertz contact of two spheres (thesis eqs 5.15 to 5.17), overlap w = contact distance - r:
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
 
-     F = K w^(3/2) + K H w^(1/2) dw/dt        w > 0
+/* Hertz contact of two spheres (thesis eqs 5.15 and 5.16), overlap w = contact distance - r:
+
+     F = K w^(3/2)        w > 0
      K = (4/3) Ebar sqrt(R),  R effective radius,  1/Ebar = (1-nu_i^2)/E_i + (1-nu_j^2)/E_j
-   With equal materials Ebar = E / (2 (1 - nu^2)) (5.15c). Unless asked for, the total force is not
-   allowed to attract near separation (5.17 taken literally does).
-   E stress, -1 < nu <= 1/2, H time. */
+
+   With equal materials Ebar = E / (2 (1 - nu^2)) (5.15c). The viscous term of 5.17 is viscous.h.
+   E stress, -1 < nu <= 1/2. */
 
 #ifndef POTDEM_HERTZ_H
 #define POTDEM_HERTZ_H
 
-#include "core/laws/contact_geometry.h"
+#include "coefficients.h"
+#include "contact_geometry.h"
 #include "evaluation.h"
 
 #include <cmath>
@@ -34,34 +40,37 @@ struct Hertz {
 
   double E, nu;
   double modulus;    // Ebar
-  double H;
-  int attract;
 
-  static Hertz of(double E, double nu) { return {E, nu, contact_modulus(E, nu, E, nu), 0.0, 0}; }
+  static constexpr auto coefficients()
+  {
+    return std::array{required("E", &Hertz::E, positive(), "stress").from(FROM_MATERIAL),
+                      required("nu", &Hertz::nu, poisson_ratio(), "1").from(FROM_MATERIAL)};
+  }
+
+  void complete() { modulus = contact_modulus(E, nu, E, nu); }
+
+  // 5.15b, kept as two equal materials with that contact modulus
+  static Hertz mixed(const Hertz &a, const Hertz &b)
+  {
+    const double modulus = contact_modulus(a.E, a.nu, b.E, b.nu);
+    return {2.0 * modulus, 0.0, modulus};
+  }
 
   static double reach(double dbar) { return dbar; }
 
   struct Kernel {
-    double modulus, H;
-    bool attract;
+    double modulus;
 
-    static constexpr double hard_core(const ContactGeometry &) { return 0.0; }
+    template <class Geometry> static constexpr double hard_core(const Geometry &) { return 0.0; }
 
-    Evaluation evaluate(double r, const ContactGeometry &pair) const
+    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
     {
-      if (r >= pair.contact) return {0.0, 0.0, 0.0};
-      return hertz(pair.contact - r, 4.0 / 3.0 * modulus * std::sqrt(pair.effective_radius()));
-    }
-
-    // total normal force with the rate of the distance; elastic: the force without it
-    double with_rate(double elastic, double r, const ContactGeometry &pair, double rate) const
-    {
-      const double total = elastic * (1.0 - H * rate / (pair.contact - r));
-      return attract || total > 0.0 ? total : 0.0;
+      if (r >= at.contact) return {0.0, 0.0, 0.0};
+      return hertz(at.contact - r, 4.0 / 3.0 * modulus * std::sqrt(at.effective_radius()));
     }
   };
 
-  Kernel kernel(bool /*shift*/) const { return {modulus, H, attract != 0}; }
+  Kernel kernel(bool /*shift*/) const { return {modulus}; }
 };
 
 }    // namespace POTDEM

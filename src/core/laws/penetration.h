@@ -22,6 +22,8 @@
 
 namespace POTDEM {
 
+constexpr int MAX_PENETRATION = 64;    // largest exponent m
+
 class Penetration {
  public:
   Penetration() = default;

@@ -10,8 +10,9 @@
 #ifndef POTDEM_REGULARISED_GRANULAR_H
 #define POTDEM_REGULARISED_GRANULAR_H
 
+#include "coefficients.h"
+#include "contact_geometry.h"
 #include "continued.h"
-#include "core/laws/contact_geometry.h"
 #include "evaluation.h"
 #include "power.h"
 
@@ -24,6 +25,30 @@ struct RegularisedGranular {
   double cut;            // x
   double least = 0.0;    // 0: none
 
+  static constexpr auto coefficients()
+  {
+    using Law = RegularisedGranular;
+    return std::array{
+        required("K0", &Law::K0, positive(), "force/length").from(FROM_MATERIAL_LENGTH),
+        required("n", &Law::n, above(2.0), "1").must_agree(),
+        required("alpha", &Law::alpha, between(0.0, 1.0), "1"),
+        option("cut", "x", &Law::cut, above(1.0), "1"),
+        option("linear", "x_min", &Law::least, between(0.0, 1.0), "1")};
+  }
+
+  void complete()
+  {
+    if (cut == 0.0) cut = default_cut(n);
+  }
+
+  // springs in series, mean co-penetration, the longer cut; linear only if both are
+  static RegularisedGranular mixed(const RegularisedGranular &a, const RegularisedGranular &b)
+  {
+    const double least = a.least > 0.0 && b.least > 0.0 ? std::fmax(a.least, b.least) : 0.0;
+    return {series_modulus(a.K0, b.K0), a.n, 0.5 * (a.alpha + b.alpha), std::fmax(a.cut, b.cut),
+            least};
+  }
+
   static constexpr double faded = 1e-3;
   static double default_cut(double n) { return std::pow(faded, -1.0 / n); }
 
@@ -34,19 +59,25 @@ struct RegularisedGranular {
     double tail;    // energy at the cut over that at first contact, 0: no shift
     Power power;
 
-    double r0(const ContactGeometry &pair) const { return pair.contact - alpha * pair.dbar(); }
-    double hard_core(const ContactGeometry &pair) const { return least > 0.0 ? 0.0 : r0(pair); }
-
-    Evaluation evaluate(double r, const ContactGeometry &pair) const
+    template <class Geometry> double r0(const Geometry &at) const
     {
-      const double first = alpha * pair.dbar(), s = r - r0(pair);
+      return at.contact - alpha * at.dbar();
+    }
+    template <class Geometry> double hard_core(const Geometry &at) const
+    {
+      return least > 0.0 ? 0.0 : r0(at);
+    }
+
+    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
+    {
+      const double first = alpha * at.dbar(), s = r - r0(at);
       if (s >= cut * first) return {0.0, 0.0, 0.0};
       return continued(s, least * first, [this, first](double distance) {
-        return at(distance, first);
+        return law_at(distance, first);
       });
     }
 
-    Evaluation at(double s, double first) const
+    Evaluation law_at(double s, double first) const
     {
       const double t = first / s, p = power(t);
       const double force = K0 * first / n * p;

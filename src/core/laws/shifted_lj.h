@@ -11,8 +11,9 @@
 #ifndef POTDEM_SHIFTED_LJ_H
 #define POTDEM_SHIFTED_LJ_H
 
+#include "coefficients.h"
+#include "contact_geometry.h"
 #include "continued.h"
-#include "core/laws/contact_geometry.h"
 #include "evaluation.h"
 #include "power.h"
 
@@ -25,6 +26,30 @@ struct ShiftedLJ {
   double cut;            // s_c
   double least = 0.0;    // 0: none
 
+  static constexpr auto coefficients()
+  {
+    return std::array{
+        required("K0", &ShiftedLJ::K0, positive(), "force/length").from(FROM_MATERIAL_LENGTH),
+        required("R", &ShiftedLJ::R, positive(), "length"),
+        required("n", &ShiftedLJ::n, positive(), "1").must_agree(),
+        required("alpha", &ShiftedLJ::alpha, fraction(), "1"),
+        option("cut", "s_c", &ShiftedLJ::cut, positive(), "length"),
+        option("linear", "s_min", &ShiftedLJ::least, positive(), "length").below(&ShiftedLJ::R)};
+  }
+
+  void complete()
+  {
+    if (cut == 0.0) cut = default_cut(R, n);
+  }
+
+  // springs in series, mean distances; linear only if both are
+  static ShiftedLJ mixed(const ShiftedLJ &a, const ShiftedLJ &b)
+  {
+    const double least = a.least > 0.0 && b.least > 0.0 ? 0.5 * (a.least + b.least) : 0.0;
+    return {series_modulus(a.K0, b.K0), 0.5 * (a.R + b.R),     a.n,
+            0.5 * (a.alpha + b.alpha),  0.5 * (a.cut + b.cut), least};
+  }
+
   static double default_cut(double R, double n)
   {
     return R * std::pow((2.0 * n + 1.0) / (n + 1.0), 1.0 / n);
@@ -36,10 +61,16 @@ struct ShiftedLJ {
     double D, R, n, alpha, cut, least, offset;
     Power power;
 
-    double r0(const ContactGeometry &pair) const { return pair.contact - alpha * pair.dbar(); }
-    double hard_core(const ContactGeometry &pair) const { return least > 0.0 ? 0.0 : r0(pair); }
+    template <class Geometry> double r0(const Geometry &at) const
+    {
+      return at.contact - alpha * at.dbar();
+    }
+    template <class Geometry> double hard_core(const Geometry &at) const
+    {
+      return least > 0.0 ? 0.0 : r0(at);
+    }
 
-    Evaluation at(double s) const
+    Evaluation law_at(double s) const
     {
       const double p = power(R / s);
       const double slope = 2.0 * D * n / s;
@@ -47,12 +78,12 @@ struct ShiftedLJ {
               slope / s * p * ((2.0 * n + 1.0) * p - (n + 1.0))};
     }
 
-    Evaluation evaluate(double r, const ContactGeometry &pair) const
+    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
     {
-      const double s = r - r0(pair);
+      const double s = r - r0(at);
       if (s >= cut) return {0.0, 0.0, 0.0};
       return continued(s, least, [this](double t) {
-        return at(t);
+        return law_at(t);
       });
     }
   };
@@ -61,7 +92,7 @@ struct ShiftedLJ {
   Kernel kernel(bool shift) const
   {
     Kernel made{K0 * R * R / (2.0 * n * n), R, n, alpha, cut, least, 0.0, Power(n)};
-    if (shift) made.offset = made.at(cut).energy;
+    if (shift) made.offset = made.law_at(cut).energy;
     return made;
   }
 };

@@ -10,7 +10,8 @@
 #ifndef POTDEM_TRUSS_CONTACT_H
 #define POTDEM_TRUSS_CONTACT_H
 
-#include "core/laws/contact_geometry.h"
+#include "coefficients.h"
+#include "contact_geometry.h"
 #include "truss.h"
 
 namespace POTDEM {
@@ -18,29 +19,44 @@ namespace POTDEM {
 struct TrussContact {
   static constexpr bool contact_only = true, rate_dependent = false;
 
-  double E, a;
-  int m;
-  int normalized;
+  double E, a, m, normalized;
+
+  static constexpr auto coefficients()
+  {
+    return std::array{
+        required("E", &TrussContact::E, positive(), "stress").from(FROM_MATERIAL),
+        required("a", &TrussContact::a, positive(), "1"),
+        option("penetration", "m", &TrussContact::m, whole(MAX_PENETRATION), "1").must_agree(),
+        flag("normalized", &TrussContact::normalized).must_agree()};
+  }
+
+  // two half trusses in series; the factors of the two halves must agree to have one
+  static TrussContact mixed(const TrussContact &one, const TrussContact &other)
+  {
+    return {series_modulus(one.E, other.E), 0.5 * (one.a + other.a), one.m, one.normalized};
+  }
 
   struct Kernel {
     double stress;    // E a
     bool has_penetration;
     Penetration factor;
 
-    static constexpr double hard_core(const ContactGeometry &) { return 0.0; }
+    template <class Geometry> static constexpr double hard_core(const Geometry &) { return 0.0; }
 
-    Evaluation evaluate(double r, const ContactGeometry &pair) const
+    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
     {
-      if (r >= pair.contact) return {0.0, 0.0, 0.0};
-      const double modulus = stress * truss_section(pair.dbar());
-      return has_penetration ? truss(r, pair.contact, modulus, factor)
-                             : truss(r, pair.contact, modulus);
+      if (r >= at.contact) return {0.0, 0.0, 0.0};
+      const double modulus = stress * truss_section(at.dbar());
+      return has_penetration ? truss(r, at.contact, modulus, factor)
+                             : truss(r, at.contact, modulus);
     }
   };
 
   Kernel kernel(bool /*shift*/) const
   {
-    return {E * a, m > 0, m > 0 ? Penetration(m, normalized) : Penetration()};
+    const auto factor = m > 0.0 ? Penetration(static_cast<int>(m), normalized != 0.0)
+                                : Penetration();
+    return {E * a, m > 0.0, factor};
   }
 
   // distance below which two particles of mean diameter dbar can interact

@@ -31,6 +31,16 @@ template <class Law> double turning_point(double outer, double core, double kine
   return r;
 }
 
+// how near two bodies come that are r apart and whose distance changes with `rate`, if they touch within the time `ahead`;
+// else r. reach, hard_core: where the law begins and ends; mass: the effective one
+template <class Law>
+double closest_approach(double r, double rate, double ahead, double reach, double hard_core,
+                        double mass, const Law &law)
+{
+  if (rate >= 0.0 || r + rate * ahead >= reach) return r;
+  return turning_point(std::fmin(r, reach), hard_core, 0.5 * mass * rate * rate, law);
+}
+
 }    // namespace POTDEM
 
 #endif

@@ -12,7 +12,7 @@
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/lammps_compat.h"
-#include "lammps/glue/potdem_input.h"
+#include "lammps/glue/potdem_material_input.h"
 #include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
@@ -95,7 +95,7 @@ void BondPotdemTruss::allocate()
 void BondPotdemTruss::coeff(int narg, char **arg)
 {
   if (!allocated) allocate();
-  PotdemInput input(lmp, "bond_coeff potdem/truss", narg, arg);
+  PotdemMaterialInput input(lmp, "bond_coeff potdem/truss", narg, arg);
   int lo, hi;
   utils::bounds(FLERR, input.word(), 1, atom->nbondtypes, lo, hi, error);
   const Coeff c = read(input);
@@ -106,7 +106,7 @@ void BondPotdemTruss::coeff(int narg, char **arg)
   show_to_adapt();
 }
 
-BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
+BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemMaterialInput &input) const
 {
   Coeff c{};
   c.E = input.property("E");
@@ -116,7 +116,7 @@ BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
   }
   if (input.next_is("factor")) {
     c.mode = FACTOR;
-    c.area = input.positive("area factor a");
+    c.area = input.in_range("area factor a", POTDEM::positive());
   } else if (input.next_is("lattice")) {
     c.mode = LATTICE;
   } else if (input.next_is("body")) {
@@ -131,9 +131,10 @@ BondPotdemTruss::Coeff BondPotdemTruss::read(PotdemInput &input) const
                "factor a, for a plate the a of its thickness (see the page of the style)");
   while (!input.done()) {
     if (input.next_is("penetration")) {
-      input.penetration(c.m, c.normalized);
+      c.m = input.whole("penetration m", POTDEM::MAX_PENETRATION);
+      c.normalized = input.next_is("normalized");
     } else if (input.next_is("damping")) {
-      c.xi = input.nonnegative("damping xi");
+      c.xi = input.in_range("damping xi", POTDEM::nonnegative());
     } else {
       input.word();
       input.unknown("penetration or damping");
@@ -787,8 +788,8 @@ void BondPotdemTruss::take_adapted(int type)
   }
   if (!changed) return;
   PotdemWords words(coeff_line(type));
-  PotdemInput input(lmp, "bond_style potdem/truss, coefficients changed by a fix", words.narg(),
-                    words.arg());
+  PotdemMaterialInput input(lmp, "bond_style potdem/truss, coefficients changed by a fix",
+                            words.narg(), words.arg());
   coeffs[type] = read(input);
 }
 
@@ -808,7 +809,7 @@ void BondPotdemTruss::read_restart(FILE *fp)
     PotdemWords words(potdem_read_text(lmp, fp, who));
     setflag[type] = words.narg() > 0;
     if (!setflag[type]) continue;
-    PotdemInput input(lmp, who, words.narg(), words.arg());
+    PotdemMaterialInput input(lmp, who, words.narg(), words.arg());
     coeffs[type] = read(input);
   }
 }

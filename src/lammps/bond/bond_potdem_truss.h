@@ -120,7 +120,7 @@ class BondPotdemTruss : public Bond, public StiffnessSource, public BondMemory {
   std::vector<Adaptable> adaptable;
 
   void allocate();
-  Coeff read(class PotdemInput &) const;
+  Coeff read(class PotdemMaterialInput &) const;
   std::string coeff_line(int type) const;
   double *coeff_named(int type, const std::string &);    // null: no such one
   void show_to_adapt();

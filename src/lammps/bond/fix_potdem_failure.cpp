@@ -21,7 +21,7 @@
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
-#include "lammps/glue/potdem_input.h"
+#include "lammps/glue/potdem_material_input.h"
 #include "lammps/pair/fix_potdem_contacts.h"
 
 #include "atom.h"
@@ -51,7 +51,7 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
     ntension(0.0), ncompression(0.0), lost_energy(0.0), bond(nullptr), history(nullptr), maxrows(0)
 {
-  PotdemInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
+  PotdemMaterialInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
                 "Failure begins with a row");
   btype = input.bond_type();
@@ -92,14 +92,14 @@ FixPotdemFailure::~FixPotdemFailure()
 POTDEM::StrengthScatter FixPotdemFailure::read_scatter(PotdemInput &input)
 {
   if (input.next_is("weibull")) {
-    const double k = input.positive("scatter weibull k");
+    const double k = input.in_range("scatter weibull k", POTDEM::positive());
     return POTDEM::StrengthScatter::weibull(k, input.whole("scatter seed", MAXSMALLINT));
   }
   if (!input.next_is("normal")) {
     input.word();
     input.unknown("weibull or normal after scatter");
   }
-  const double cov = input.positive("scatter normal cov");
+  const double cov = input.in_range("scatter normal cov", POTDEM::positive());
   if (cov > POTDEM::StrengthScatter::LARGEST_COV)
     input.fail(fmt::format("scatter normal cov = {} is out of range, it must be > 0 and <= {}; "
                            "use scatter weibull for a larger spread",

@@ -84,7 +84,7 @@ void PotdemBonds::read(int narg, char **arg)
   igroup = group->find(name);
   if (igroup < 0) input.fail(fmt::format("there is no group '{}'", name));
   btype = input.bond_type();
-  reach = input.positive("r_infl");
+  reach = input.in_range("r_infl", POTDEM::positive());
   while (!input.done()) {
     if (input.next_is("diameters"))
       in_diameters = true;

@@ -5,8 +5,6 @@
 
 #include "lammps/glue/potdem_input.h"
 
-#include "lammps/glue/potdem_material_file.h"
-
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -14,13 +12,10 @@
 #include "modify.h"
 #include "update.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 using namespace LAMMPS_NS;
-
-static constexpr int MAX_EXPONENT = 64;
 
 void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
 {
@@ -126,11 +121,6 @@ void PotdemInput::unknown(const std::string &choices)
   fail(fmt::format("unknown keyword '{}', expected {}", arg[at - 1], choices));
 }
 
-void PotdemInput::range(const std::string &name, double value, const std::string &allowed)
-{
-  fail(fmt::format("{} = {} is out of range, it must be {}", name, value, allowed));
-}
-
 std::string PotdemInput::word()
 {
   if (done()) utils::missing_cmd_args(FLERR, command, error);
@@ -142,6 +132,11 @@ bool PotdemInput::next_is(const std::string &expected)
   if (done() || expected != arg[at]) return false;
   at++;
   return true;
+}
+
+bool PotdemInput::next_matches(bool (*rule)(const std::string &)) const
+{
+  return !done() && rule(arg[at]);
 }
 
 double PotdemInput::number(const std::string &name)
@@ -157,52 +152,25 @@ double PotdemInput::number(const std::string &name)
   }
 }
 
-double PotdemInput::positive(const std::string &name)
+static std::string words_for(const POTDEM::Range &range)
 {
-  return above(name, 0.0);
+  if (range.whole) return fmt::format("a whole number from {} to {}", range.low, range.high);
+  const auto low = fmt::format("{} {}", range.low_open ? ">" : ">=", range.low);
+  if (!range.bounded()) return low;
+  return fmt::format("{} and {} {}", low, range.high_open ? "<" : "<=", range.high);
 }
 
-double PotdemInput::nonnegative(const std::string &name)
+double PotdemInput::in_range(const std::string &name, const POTDEM::Range &range)
 {
   const double value = number(name);
-  if (value < 0.0) range(name, value, ">= 0");
-  return value;
-}
-
-double PotdemInput::above(const std::string &name, double bound)
-{
-  const double value = number(name);
-  if (value <= bound) range(name, value, fmt::format("> {}", bound));
-  return value;
-}
-
-double PotdemInput::between(const std::string &name, double low, double high)
-{
-  const double value = number(name);
-  if (value <= low || value >= high) range(name, value, fmt::format("> {} and < {}", low, high));
-  return value;
-}
-
-double PotdemInput::fraction(const std::string &name)
-{
-  const double value = number(name);
-  if (value < 0.0 || value >= 1.0) range(name, value, ">= 0 and < 1");
-  return value;
-}
-
-double PotdemInput::poisson(const std::string &name)
-{
-  const double value = number(name);
-  if (value <= -1.0 || value > 0.5) range(name, value, "> -1 and <= 0.5");
+  if (!range.has(value))
+    fail(fmt::format("{} = {} is out of range, it must be {}", name, value, words_for(range)));
   return value;
 }
 
 int PotdemInput::whole(const std::string &name, int most)
 {
-  const double value = number(name);
-  if (value != std::floor(value) || value < 1 || value > most)
-    range(name, value, fmt::format("a whole number from 1 to {}", most));
-  return static_cast<int>(value);
+  return static_cast<int>(in_range(name, POTDEM::whole(most)));
 }
 
 bool PotdemInput::logical(const std::string &name)
@@ -224,68 +192,4 @@ int PotdemInput::bond_type()
   if (atom->nbondtypes == 0)
     fail("there are no bond types; give create_box some with 'bond/types N'");
   return whole("bond type", atom->nbondtypes);
-}
-
-void PotdemInput::penetration(int &m, int &normalized)
-{
-  m = whole("penetration m", MAX_EXPONENT);
-  normalized = next_is("normalized");
-}
-
-std::vector<double> PotdemInput::properties(std::initializer_list<const char *> names,
-                                            const std::string &owner)
-{
-  if (!done() && PotdemMaterialFile::is(arg[at])) return of_material(names);
-  std::vector<double> values;
-  for (const auto *name : names) {
-    const auto *const property = PotdemProperty::find(name);
-    values.push_back((this->*property->read)(property->label + owner));
-  }
-  return values;
-}
-
-std::vector<double> PotdemInput::of_material(std::initializer_list<const char *> names)
-{
-  const auto file = std::make_shared<PotdemMaterialFile>(lmp, *this, word());
-  const std::string material = word();
-  materials.emplace_back(file, material);
-  std::vector<double> values;
-  std::string text;
-  for (const auto *name : names) {
-    values.push_back(file->value(*this, material, name));
-    text += fmt::format("{} {} = {:g}", text.empty() ? "" : ",", name, values.back());
-  }
-  utils::logmesg(lmp, "{}: {} in {}:{}\n", command, material, file->title(), text);
-  return values;
-}
-
-double PotdemInput::stiffness()
-{
-  if (done() || !PotdemMaterialFile::is(arg[at])) return positive("K0");
-  const double E = property("E");
-  if (!next_is("length"))
-    fail("a material has no stiffness K0 of its own: put 'length L' after it, for K0 = E L");
-  return E * positive("length L");
-}
-
-POTDEM::Friction PotdemInput::friction()
-{
-  POTDEM::Friction friction;
-  friction.mu = next_is("file") ? friction_of_materials() : property("friction");
-  friction.automatic = next_is("auto");
-  if (!friction.automatic) friction.eta = nonnegative("friction eta");
-  return friction;
-}
-
-// the more slippery of the materials in this command decides, as in mixing
-double PotdemInput::friction_of_materials()
-{
-  if (materials.empty())
-    fail("'friction file' takes mu from the materials of this command, but it has none; give a "
-         "number, or FILE.potdem MATERIAL in place of the elastic constants");
-  std::vector<double> mu;
-  for (const auto &one : materials) mu.push_back(one.first->value(*this, one.second, "friction"));
-  const double least = *std::min_element(mu.begin(), mu.end());
-  utils::logmesg(lmp, "{}: friction mu = {:g} by material file\n", command, least);
-  return least;
 }

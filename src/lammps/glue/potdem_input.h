@@ -8,15 +8,12 @@
 #ifndef LMP_POTDEM_INPUT_H
 #define LMP_POTDEM_INPUT_H
 
-#include "core/laws/friction.h"
+#include "core/laws/coefficients.h"
 
 #include "pointers.h"
 
 #include <cstdio>
-#include <initializer_list>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -53,8 +50,6 @@ class PotdemWords {
   std::vector<char *> pointers;
 };
 
-class PotdemMaterialFile;
-
 class PotdemInput : protected Pointers {
  public:
   // command: how the errors name the place, e.g. "fix potdem/damping"
@@ -63,36 +58,23 @@ class PotdemInput : protected Pointers {
   bool done() const { return at >= narg; }
   std::string word();                        // next argument
   double number(const std::string &name);    // next argument as a finite number
-  double positive(const std::string &name);
-  double nonnegative(const std::string &name);
-  double above(const std::string &name, double bound);
-  double between(const std::string &name, double low, double high);    // neither of them
-  double fraction(const std::string &name);                            // 0 <= value < 1
-  double poisson(const std::string &name);                             // -1 < nu <= 0.5
-  int whole(const std::string &name, int most);                        // 1 to most
-  bool logical(const std::string &name);                               // yes or no
+  double in_range(const std::string &name, const POTDEM::Range &);
+  int whole(const std::string &name, int most);    // 1 to most
+  bool logical(const std::string &name);           // yes or no
   int bond_type();
   bool next_is(const std::string &word);    // consume the next argument if it is this word
   void type_ranges(int &ilo, int &ihi, int &jlo, int &jhi);    // I J of pair_coeff
-  // properties of a material (PotdemProperty): numbers in this order, or 'FILE.potdem MATERIAL'
-  std::vector<double> properties(std::initializer_list<const char *> names,
-                                 const std::string &owner = "");
-  double property(const char *name) { return properties({name}).front(); }
-  double stiffness();                           // K0, or 'FILE.potdem MATERIAL length L'
-  POTDEM::Friction friction();                  // the values after 'friction': mu|file eta|auto
-  void penetration(int &m, int &normalized);    // the values after 'penetration': m [normalized]
+  bool
+  next_matches(bool (*rule)(const std::string &)) const;    // the next argument, if there is one
   [[noreturn]] void unknown(const std::string &choices);
   [[noreturn]] void fail(const std::string &text);
 
- private:
+ protected:
   std::string command;
+
+ private:
   int narg, at;
   char **arg;
-  std::vector<std::pair<std::shared_ptr<PotdemMaterialFile>, std::string>> materials;    // so far
-
-  std::vector<double> of_material(std::initializer_list<const char *> names);
-  double friction_of_materials();
-  [[noreturn]] void range(const std::string &name, double value, const std::string &allowed);
 };
 
 }    // namespace LAMMPS_NS

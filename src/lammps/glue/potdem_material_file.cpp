@@ -19,12 +19,12 @@
 using namespace LAMMPS_NS;
 
 static const PotdemProperty PROPERTIES[] = {
-    {"E", "E", PotdemProperty::STRESS, &PotdemInput::positive},
-    {"nu", "nu", PotdemProperty::NONE, &PotdemInput::poisson},
-    {"density", "density", PotdemProperty::DENSITY, &PotdemInput::positive},
-    {"tension", "tension strength", PotdemProperty::STRESS, &PotdemInput::positive},
-    {"compression", "compression strength", PotdemProperty::STRESS, &PotdemInput::positive},
-    {"friction", "friction mu", PotdemProperty::NONE, &PotdemInput::nonnegative},
+    {"E", "E", PotdemProperty::STRESS, POTDEM::positive()},
+    {"nu", "nu", PotdemProperty::NONE, POTDEM::poisson_ratio()},
+    {"density", "density", PotdemProperty::DENSITY, POTDEM::positive()},
+    {"tension", "tension strength", PotdemProperty::STRESS, POTDEM::positive()},
+    {"compression", "compression strength", PotdemProperty::STRESS, POTDEM::positive()},
+    {"friction", "friction mu", PotdemProperty::NONE, POTDEM::nonnegative()},
 };
 
 // bytes; the larger one that is bundled has 4000
@@ -231,7 +231,7 @@ void PotdemMaterialFile::parse(const std::vector<std::string> &line, int number,
   if (current.empty())
     input.fail(fmt::format("'{}' belongs to no material, put 'material NAME' before it", text));
   if (materials[current].count(key)) input.fail(fmt::format("{} is given twice", key));
-  materials[current][key] = (input.*property->read)(property->label);
+  materials[current][key] = input.in_range(property->label, property->range);
 }
 
 void PotdemMaterialFile::convert(PotdemInput &asking, const std::string &units)

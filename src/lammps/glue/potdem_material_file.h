@@ -30,7 +30,7 @@ struct PotdemProperty {
   const char *name;     // in a file
   const char *label;    // in error messages
   Dimension dimension;
-  double (PotdemInput::*read)(const std::string &label);    // the next argument, if it is in range
+  POTDEM::Range range;
 
   static const PotdemProperty *find(const std::string &name);    // null: there is no such property
   static std::string names();

@@ -9,7 +9,7 @@
 
 #include "lammps/output/compute_potdem_energy.h"
 
-#include "core/laws/friction.h"
+#include "core/laws/slide.h"
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"

@@ -38,7 +38,7 @@ ComputePotdemTimestep::ComputePotdemTimestep(LAMMPS *lmp, int narg, char **arg) 
       input.word();
       input.unknown("ahead");
     }
-    ahead = input.nonnegative("ahead");
+    ahead = input.in_range("ahead", POTDEM::nonnegative());
   }
   scalar_flag = vector_flag = 1;
   size_vector = NVALUES;

@@ -30,7 +30,7 @@ FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
 {
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
-  lambda = input.fraction("lambda");
+  lambda = input.in_range("lambda", POTDEM::fraction());
   while (!input.done()) {
     if (!input.next_is("form")) {
       input.word();

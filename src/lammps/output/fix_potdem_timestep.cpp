@@ -33,14 +33,14 @@ FixPotdemTimestep::FixPotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
 {
   PotdemInput input(lmp, "fix potdem/timestep", narg - 3, arg + 3);
   nevery = input.whole("N", MAXSMALLINT);
-  fraction = input.positive("fraction");
+  fraction = input.in_range("fraction", POTDEM::positive());
   if (fraction > 1.0)
     input.fail(fmt::format("fraction = {} is out of range, it must be <= 1", fraction));
   if (!input.next_is("max")) {
     input.word();
     input.unknown("max");
   }
-  longest = input.positive("max dt");
+  longest = input.in_range("max dt", POTDEM::positive());
   if (!input.done()) input.fail(fmt::format("unknown keyword '{}' after max dt", input.word()));
   dynamic_group_allow = 1;
   time_depend = 1;

@@ -20,17 +20,14 @@
 #ifndef LMP_POTDEM_STIFFNESS_H
 #define LMP_POTDEM_STIFFNESS_H
 
+#include "core/stability/spring.h"
+
 #include <cmath>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-// H = max(0, along) n n + max(0, across) (1 - n n): what is negative helps
-struct PotdemSpring {
-  double n[3];
-  double along, across;          // Phi'' and Phi'/r
-  double viscosity, friction;    // force over velocity, along and across n
-};
+using PotdemSpring = POTDEM::Spring;
 
 // times; infinite without stiffness and viscosity
 struct PotdemSteps {

@@ -9,6 +9,7 @@
 #include "atom_vec.h"
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "modify.h"
 #include "my_page.h"
 #include "neigh_list.h"
@@ -51,16 +52,28 @@ void FixPotdemContacts::release(LAMMPS *lmp, const std::string &id)
   if (kept) kept->pair = nullptr;
 }
 
-FixPotdemContacts *FixPotdemContacts::ensure(LAMMPS *lmp, const std::string &id, Pair *pair)
+FixPotdemContacts *FixPotdemContacts::ensure(LAMMPS *lmp, const std::string &id, Pair *pair,
+                                             int state)
 {
   auto *const modify = lmp->modify;
-  auto *found = modify->get_fix_by_id(id);
-  if (!found) {
-    const auto made = fmt::format("{} all POTDEM_CONTACTS 1", id);
-    const bool placed = modify->get_fix_by_id(place_of(id));
-    found = placed ? modify->replace_fix(place_of(id), made) : modify->add_fix(made);
+  const auto made = fmt::format("{} all POTDEM_CONTACTS {}", id, 1 + state);
+  auto *contacts = dynamic_cast<FixPotdemContacts *>(modify->get_fix_by_id(id));
+  std::vector<Kept> kept;
+  if (contacts && contacts->dnum != 1 + state) {
+    // of another law: its fix is the place of a new one
+    kept = contacts->all_kept();
+    contacts->pair = nullptr;
+    delete[] contacts->id;
+    contacts->id = utils::strdup(place_of(id));
+    contacts = nullptr;
   }
-  auto *const contacts = dynamic_cast<FixPotdemContacts *>(found);
+  if (!contacts) {
+    const bool placed = modify->get_fix_by_id(place_of(id));
+    contacts = dynamic_cast<FixPotdemContacts *>(placed ? modify->replace_fix(place_of(id), made)
+                                                        : modify->add_fix(made));
+    if (!kept.empty()) contacts->allocate_pages();
+    contacts->add_kept(kept);
+  }
   contacts->pair = pair;
   return contacts;
 }
@@ -79,19 +92,42 @@ FixPotdemContacts::~FixPotdemContacts()
 void FixPotdemContacts::init()
 {
   if (!pair) return;
+  if (dnum > 1 && force->newton_pair && comm->style != Comm::BRICK)
+    error->all(FLERR,
+               "Fix {}: friction that remembers needs 'newton off' with comm_style tiled, where "
+               "LAMMPS cannot bring back what other ranks remember",
+               id);
   // LAMMPS forgets what the pages hold when neigh_modify changes their size
-  std::vector<PotdemNewContact> kept;
-  if (pages_will_change())
-    for (int i = 0; i < atom->nlocal; i++)
-      for (int k = 0; k < npartner[i]; k++) kept.push_back({i, partner[i][k], valuepartner[i][k]});
   const bool changed = pages_will_change();
+  const auto kept = changed ? all_kept() : std::vector<Kept>();
   FixNeighHistory::init();
   if (changed) std::fill_n(npartner, atom->nlocal, 0);
-  for (const auto &one : kept) add_partner(static_cast<int>(one.first), one.second, one.distance);
+  add_kept(kept);
   // a distance is the same seen from either particle
   pair->nondefault_history_transfer = 1;
   // neighbour lists mark what touches by diameters only, and not in all of their kinds
   pair->beyond_contact = 1;
+}
+
+std::vector<FixPotdemContacts::Kept> FixPotdemContacts::all_kept() const
+{
+  std::vector<Kept> kept;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) {
+      const double *const values = valuepartner[i] + dnum * static_cast<bigint>(k);
+      kept.push_back({i, partner[i][k], std::vector<double>(values, values + dnum)});
+    }
+  return kept;
+}
+
+// of another width: a state of another law is none
+void FixPotdemContacts::add_kept(const std::vector<Kept> &kept)
+{
+  for (const auto &one : kept) {
+    const bool whole = static_cast<int>(one.values.size()) == dnum;
+    if (!whole && one.values[0] == 0.0) continue;
+    std::copy_n(one.values.begin(), whole ? dnum : 1, add_partner(one.i, one.partner));
+  }
 }
 
 bool FixPotdemContacts::pages_will_change() const
@@ -135,13 +171,16 @@ void FixPotdemContacts::post_run()
 }
 
 // with newton on LAMMPS asks the rank that has the pair in its list for what the other's owner is to keep, in a way that
-// comm_style tiled does not know. Here both owners know from the beginning, and it does not change
+// comm_style tiled does not know. Of a distance both owners know from the beginning, and it does not change
 void FixPotdemContacts::pre_exchange_newton()
 {
-  pre_exchange_no_newton();
+  if (dnum > 1)
+    FixNeighHistory::pre_exchange_newton();
+  else
+    pre_exchange_no_newton();
 }
 
-// what the particles know of pairs that their list does not have
+// at what distance pairs begin that are not in the list of this particle; their state is that of the other's list
 void FixPotdemContacts::set_aside()
 {
   aside.clear();
@@ -156,7 +195,7 @@ void FixPotdemContacts::set_aside()
     remembering += static_cast<bigint>(listed.size());
     for (int k = 0; k < npartner[i]; k++)
       if (std::find(listed.begin(), listed.end(), partner[i][k]) == listed.end())
-        aside.push_back({i, partner[i][k], valuepartner[i][k]});
+        aside.push_back({i, partner[i][k], valuepartner[i][dnum * static_cast<bigint>(k)]});
   }
 }
 
@@ -164,7 +203,8 @@ void FixPotdemContacts::set_aside()
 void FixPotdemContacts::add_aside()
 {
   for (const auto &one : aside)
-    if (place_of_partner(one.i, one.partner) < 0) add_partner(one.i, one.partner, one.distance);
+    if (one.distance > 0.0 && place_of_partner(one.i, one.partner) < 0)
+      *add_partner(one.i, one.partner) = one.distance;
 }
 
 // between runs the particles have moved on already, unlike those of the last neighbour list
@@ -211,31 +251,52 @@ void FixPotdemContacts::set_partner(int i, tagint tag, double distance)
 {
   const int k = place_of_partner(i, tag);
   if (k < 0) {
-    if (distance > 0.0) add_partner(i, tag, distance);
-  } else if (distance > 0.0) {
-    valuepartner[i][k] = distance;
-  } else {
-    const int last = --npartner[i];
-    partner[i][k] = partner[i][last];
-    valuepartner[i][k] = valuepartner[i][last];
+    if (distance > 0.0) *add_partner(i, tag) = distance;
+    return;
   }
+  double *const values = valuepartner[i] + dnum * static_cast<bigint>(k);
+  if (distance > 0.0) {
+    *values = distance;
+    return;
+  }
+  const int last = --npartner[i];
+  partner[i][k] = partner[i][last];
+  std::copy_n(valuepartner[i] + dnum * static_cast<bigint>(last), dnum, values);
 }
 
-void FixPotdemContacts::add_partner(int i, tagint tag, double distance)
+double *FixPotdemContacts::add_partner(int i, tagint tag)
 {
-  const int n = npartner[i];
+  const int n = npartner[i], all = dnum * (n + 1);
   tagint *const partners = ipage_atom->get(n + 1);
-  double *const values = dpage_atom->get(n + 1);
+  double *const values = dpage_atom->get(all);
   if (!partners || !values)
-    error->one(FLERR, "Atom {} has too many failed contacts, increase neigh_modify one",
+    error->one(FLERR, "Atom {} has too many contacts to remember, increase neigh_modify one",
                atom->tag[i]);
   std::copy_n(partner[i], n, partners);
-  std::copy_n(valuepartner[i], n, values);
+  std::copy_n(valuepartner[i], dnum * n, values);
+  std::fill_n(values + dnum * n, dnum, 0.0);
   partners[n] = tag;
-  values[n] = distance;
   partner[i] = partners;
   valuepartner[i] = values;
   npartner[i] = n + 1;
   maxpartner = MAX(maxpartner, npartner[i]);
   maxexchange = (dnum + 1) * maxpartner + 1;
+  return values + dnum * n;
+}
+
+// the file may be of another law, which remembers more or less: of that the distances count. What it has of a particle: how
+// many numbers this is, of how many partners, and the ID and the values of each
+void FixPotdemContacts::unpack_restart(int nlocal, int nth)
+{
+  const double *from = atom->extra[nlocal];
+  for (int k = 0; k < nth; k++) from += static_cast<int>(*from);
+  const int size = static_cast<int>(from[0]), n = static_cast<int>(from[1]);
+  const int width = n > 0 ? (size - 2) / n - 1 : dnum;
+  if (!ipage_atom) allocate_pages();
+  npartner[nlocal] = 0;
+  from += 2;
+  for (int k = 0; k < n; k++, from += width + 1)
+    if (width == dnum || from[1] != 0.0)
+      std::copy_n(from + 1, width == dnum ? dnum : 1,
+                  add_partner(nlocal, static_cast<tagint>(ubuf(*from).i)));
 }

@@ -5,11 +5,12 @@
 
 /* What the contacts of a pair style remember, in LAMMPS's own FixNeighHistory, which carries it through exchange,
    sorting, rebuilds of lists and restart files. One for each pair style whose contacts have something to remember,
-   made at its init; it outlives a pair_style that is given again.
+   made at its init; it outlives a pair_style that is given again. Of each pair: the distance at which its law begins (0: where
+   the two touch), then what the tangential law remembers while they touch.
 
    A contact that begins otherwise than by touch (the pair of a bond that failed, or that a crack cuts) is announced with what
-   it is to remember, on all ranks, and is in the lists from the next rebuild on. It remembers for good: LAMMPS forgets pairs
-   that leave the neighbour list, so those are kept with their particles meanwhile. */
+   it is to remember, on all ranks, and is in the lists from the next rebuild on. It remembers the distance for good: LAMMPS
+   forgets pairs that leave the neighbour list, so those are kept with their particles meanwhile. */
 
 #ifndef LMP_FIX_POTDEM_CONTACTS_H
 #define LMP_FIX_POTDEM_CONTACTS_H
@@ -18,6 +19,7 @@
 
 #include "fix_neigh_history.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,7 +32,8 @@ class FixPotdemContacts : public FixNeighHistory {
   static std::string reserve(LAMMPS *);
   static void release(LAMMPS *,
                       const std::string &id);    // the pair style goes, what is remembered stays
-  static FixPotdemContacts *ensure(LAMMPS *, const std::string &id, class Pair *);
+  // state: numbers of the tangential law
+  static FixPotdemContacts *ensure(LAMMPS *, const std::string &id, class Pair *, int state);
 
   FixPotdemContacts(LAMMPS *, int, char **);
   ~FixPotdemContacts() override;
@@ -40,12 +43,33 @@ class FixPotdemContacts : public FixNeighHistory {
   void post_neighbor() override;
   void post_run() override;
   void write_restart(FILE *) override;
+  void unpack_restart(int, int) override;
 
   void expect(const std::vector<PotdemNewContact> &);
 
-  // of the pair in place jj of the list of particle i: 0 if it remembers nothing
-  bool any() const { return remembering > 0; }
-  double distance(int i, int jj) const { return firstflag[i][jj] ? firstvalue[i][jj] : 0.0; }
+  bool any() const { return remembering > 0 || dnum > 1; }
+  // of the pair in place jj of the list of particle i: the distance, then the state. Null: it remembers nothing
+  const double *memory(int i, int jj) const
+  {
+    return firstflag[i][jj] ? firstvalue[i] + dnum * static_cast<bigint>(jj) : nullptr;
+  }
+
+  // a pair that touches: its state, which begins with zeros
+  double *touch(int i, int jj)
+  {
+    double *const values = firstvalue[i] + dnum * static_cast<bigint>(jj);
+    if (!firstflag[i][jj]) std::fill_n(values, dnum, 0.0);
+    firstflag[i][jj] = 1;
+    return values + 1;
+  }
+  // one that does not
+  void part(int i, int jj)
+  {
+    if (!firstflag[i][jj]) return;
+    double *const values = firstvalue[i] + dnum * static_cast<bigint>(jj);
+    std::fill_n(values + 1, dnum - 1, 0.0);
+    firstflag[i][jj] = values[0] != 0.0;
+  }
 
  protected:
   void pre_exchange_newton() override;
@@ -61,13 +85,21 @@ class FixPotdemContacts : public FixNeighHistory {
   bool stored;                 // with the particles, as between runs; else with the neighbour list
   bigint remembering;          // contacts of this rank's list, at most
 
+  struct Kept {
+    int i;    // owned particle
+    tagint partner;
+    std::vector<double> values;
+  };
+
+  std::vector<Kept> all_kept() const;
+  void add_kept(const std::vector<Kept> &);
   bool pages_will_change() const;
   void add_expected();
   void set_aside();
   void add_aside();
   int place_of_partner(int i, tagint) const;
   void set_partner(int i, tagint, double distance);
-  void add_partner(int i, tagint, double distance);
+  double *add_partner(int i, tagint);    // its values, all 0
 };
 
 }    // namespace LAMMPS_NS

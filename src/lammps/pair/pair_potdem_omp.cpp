@@ -19,15 +19,16 @@
 
 namespace LAMMPS_NS {
 
-template <class Style>
-PairPotdemOMP<Style>::PairPotdemOMP(LAMMPS *lmp) : Style(lmp), ThrOMP(lmp, ThrOMP::THR_PAIR)
+template <class Law>
+PairPotdemOMP<Law>::PairPotdemOMP(LAMMPS *lmp) : PairPotdem<Law>(lmp), ThrOMP(lmp, ThrOMP::THR_PAIR)
 {
   this->suffix_flag |= Suffix::OMP;
 }
 
-template <class Style> void PairPotdemOMP<Style>::compute(int eflag, int vflag)
+template <class Law> void PairPotdemOMP<Law>::compute(int eflag, int vflag)
 {
   this->ev_init(eflag, vflag);
+  this->prepare_work();
   const int nall = this->atom->nlocal + this->atom->nghost;
   const int nthreads = this->comm->nthreads, inum = this->list->inum;
   std::vector<ThreadShare> shares(nthreads);
@@ -47,23 +48,20 @@ template <class Style> void PairPotdemOMP<Style>::compute(int eflag, int vflag)
   for (const auto &share_of_thread : shares) this->report(share_of_thread);
 }
 
-template <class Style>
-void PairPotdemOMP<Style>::tally(const ThreadShare &share_of_thread, const PotdemTouch &touch,
-                                 double energy, const double *f)
+template <class Law>
+void PairPotdemOMP<Law>::tally(const ThreadShare &share, int i, int j, const double *del,
+                               double energy, const double *f)
 {
-  ev_tally_xyz_thr(this, touch.i, touch.j, this->atom->nlocal, this->force->newton_pair, energy,
-                   0.0, f[0], f[1], f[2], touch.del[0], touch.del[1], touch.del[2],
-                   share_of_thread.thread);
+  ev_tally_xyz_thr(this, i, j, this->atom->nlocal, this->force->newton_pair, energy, 0.0, f[0],
+                   f[1], f[2], del[0], del[1], del[2], share.thread);
 }
 
-template <class Style> double PairPotdemOMP<Style>::memory_usage()
+template <class Law> double PairPotdemOMP<Law>::memory_usage()
 {
-  return Style::memory_usage() + memory_usage_thr();
+  return PairPotdem<Law>::memory_usage() + memory_usage_thr();
 }
 
-template class PairPotdemOMP<PairPotdemGranular>;
-template class PairPotdemOMP<PairPotdemHertz>;
-template class PairPotdemOMP<PairPotdemLJ>;
-template class PairPotdemOMP<PairPotdemTruss>;
+#define POTDEM_STYLE_OF_LAW(name, Law) template class PairPotdemOMP<POTDEM::Law>;
+CONTACT_LAWS(POTDEM_STYLE_OF_LAW)
 
 }    // namespace LAMMPS_NS

@@ -8,30 +8,23 @@
 #ifndef LMP_PAIR_POTDEM_OMP_H
 #define LMP_PAIR_POTDEM_OMP_H
 
-#include "lammps/pair/pair_potdem_granular.h"
-#include "lammps/pair/pair_potdem_hertz.h"
-#include "lammps/pair/pair_potdem_lj.h"
-#include "lammps/pair/pair_potdem_truss.h"
+#include "lammps/pair/pair_potdem.h"
 
 #include "thr_omp.h"
 
 namespace LAMMPS_NS {
 
-template <class Style> class PairPotdemOMP : public Style, public ThrOMP {
+template <class Law> class PairPotdemOMP : public PairPotdem<Law>, public ThrOMP {
  public:
   PairPotdemOMP(class LAMMPS *);
   void compute(int, int) override;
   double memory_usage() override;
 
  protected:
-  using typename Style::ThreadShare;
-  void tally(const ThreadShare &, const PotdemTouch &, double energy, const double *f) override;
+  using typename PairPotdemBase::ThreadShare;
+  void tally(const ThreadShare &, int i, int j, const double *del, double energy,
+             const double *f) override;
 };
-
-using PairPotdemGranularOMP = PairPotdemOMP<PairPotdemGranular>;
-using PairPotdemHertzOMP = PairPotdemOMP<PairPotdemHertz>;
-using PairPotdemLJOMP = PairPotdemOMP<PairPotdemLJ>;
-using PairPotdemTrussOMP = PairPotdemOMP<PairPotdemTruss>;
 
 }    // namespace LAMMPS_NS
 

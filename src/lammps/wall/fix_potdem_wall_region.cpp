@@ -3,12 +3,12 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* Walls on LAMMPS regions (thesis 5.3); the laws are laws/hertz_wall.h and laws/wall.h. */
+/* Walls on LAMMPS regions (thesis 5.3): Hertz under a soft layer (core/laws/hertz_wall.h), or any law of contact. */
 
 #include "lammps/wall/fix_potdem_wall_region.h"
 
 #include "core/stability/turning_point.h"
-#include "lammps/glue/potdem_law_input.h"
+#include "lammps/glue/potdem_law_io.h"
 #include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
@@ -29,9 +29,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// the thesis's soft layer, eq. 5.28
-static constexpr double LAYER_OVER_RADIUS = 0.1;
-static constexpr double LAYER_EXPONENT = 2.0;
 // friction of a particle that touches several faces: at most so many rounds, to this fraction of its limit
 static constexpr int MAX_ROUNDS = 200;
 static constexpr double ROUNDING = 1e-14;
@@ -42,7 +39,7 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), monitor(nullptr),
-    viscosity(0.0), rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
+    rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -56,78 +53,59 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
 
 /* ----------------------------------------------------------------------
    REGION  E nu  particle E nu  [layer gamma_over_r m | layer none] [viscous H]
-   REGION  law lj|granular|truss  its coefficients and keywords as in pair_coeff
-   both:  [friction mu eta|auto] [rotation no|yes|disc]
+   REGION  law NAME  its coefficients and keywords as in pair_coeff
+   both:  [friction mu ...] [rotation no|yes|disc]
 ------------------------------------------------------------------------- */
 
 void FixPotdemWallRegion::read(int narg, char **arg)
 {
-  PotdemInput input(lmp, "fix potdem/wall/region", narg, arg);
+  PotdemMaterialInput input(lmp, "fix potdem/wall/region", narg, arg);
   region_id = input.word();
   if (!domain->get_region_by_id(region_id))
     input.fail(fmt::format("there is no region '{}'", region_id));
-  if (!input.next_is("law")) {
-    read_hertz(input);
-  } else if (input.next_is("lj")) {
-    read_wall<POTDEM::ShiftedLJ>(input);
-  } else if (input.next_is("granular")) {
-    read_wall<POTDEM::RegularisedGranular>(input);
-  } else if (input.next_is("truss")) {
-    read_wall<POTDEM::TrussContact>(input);
-  } else {
-    input.word();
-    input.unknown("lj, granular or truss (Hertz is what E and nu without 'law' give)");
-  }
+  input.next_is("law") ? read_named(input) : read_wall<POTDEM::HertzWall>(input);
 }
 
-void FixPotdemWallRegion::read_hertz(PotdemInput &input)
+void FixPotdemWallRegion::read_named(PotdemMaterialInput &input)
 {
-  const auto wall = input.properties({"E", "nu"}, " of the wall");
-  if (!input.next_is("particle"))
-    input.fail("the particles' own elasticity is missing, give 'particle E nu' after E and nu of "
-               "the wall");
-  const auto grain = input.properties({"E", "nu"}, " of the particle");
-  const double modulus = POTDEM::contact_modulus(grain[0], grain[1], wall[0], wall[1]);
-  law = POTDEM::LayeredHertzWall{{modulus, LAYER_OVER_RADIUS, LAYER_EXPONENT}};
+  std::vector<std::string> names;
+#define POTDEM_TRY(name, Law)                                     \
+  if (input.next_is(#name)) return read_wall<POTDEM::Law>(input); \
+  names.emplace_back(#name);
+  CONTACT_LAWS(POTDEM_TRY)
+#undef POTDEM_TRY
+  const auto last = names.back();
+  names.pop_back();
+  input.word();
+  input.unknown(utils::join_words(names, ", ") + " or " + last +
+                " (Hertz under a soft layer is what E and nu without 'law' give)");
+}
+
+template <class Law> void FixPotdemWallRegion::read_wall(PotdemMaterialInput &input)
+{
+  PotdemWallLaw<Law> wall{};
+  const auto of_law = potdem_rows(wall.law), of_rate = potdem_rows(wall.rate);
+  auto names = potdem_option_names(of_law);
+  const auto more = potdem_option_names(of_rate);
+  names += (names.empty() || more.empty() ? "" : ", ") + more;
+  potdem_read_required(input, of_law);
+  potdem_complete(wall.law);
   while (!input.done())
-    if (!read_hertz_option(input)) read_common(input, "layer, viscous");
+    if (!potdem_read_option(input, of_law) && !potdem_read_option(input, of_rate))
+      read_common(input, names.empty() ? "friction" : names + ", friction");
+  wall.kernel = wall.law.kernel(false);
+  law = wall;
 }
 
-bool FixPotdemWallRegion::read_hertz_option(PotdemInput &input)
-{
-  if (input.next_is("viscous")) {
-    viscosity = input.nonnegative("viscous H");
-    return true;
-  }
-  if (!input.next_is("layer")) return false;
-  auto &hertz = std::get<POTDEM::LayeredHertzWall>(law).law;
-  hertz.layer = 0.0;
-  if (input.next_is("none")) return true;
-  hertz.layer = input.positive("layer gamma_over_r");
-  hertz.m = input.number("layer m");
-  if (hertz.m < 1.0)
-    input.fail(fmt::format("layer m = {} is out of range, it must be >= 1", hertz.m));
-  return true;
-}
-
-template <class Law> void FixPotdemWallRegion::read_wall(PotdemInput &input)
-{
-  Law coeffs{};
-  read_law(input, coeffs);
-  while (!input.done())
-    if (!read_option(input, coeffs)) read_common(input, option_names(coeffs));
-  law = POTDEM::LawWall<Law>{coeffs, coeffs.kernel(false)};
-}
-
-void FixPotdemWallRegion::read_common(PotdemInput &input, const char *names)
+void FixPotdemWallRegion::read_common(PotdemMaterialInput &input, const std::string &names)
 {
   if (input.next_is("friction")) {
-    friction = input.friction();
+    friction = potdem_read_friction(input);
   } else if (input.next_is("rotation")) {
     read_rotation(input);
   } else {
     input.word();
-    input.unknown(fmt::format("{}, friction or rotation", names));
+    input.unknown(names + " or rotation");
   }
 }
 
@@ -145,6 +123,9 @@ void FixPotdemWallRegion::read_rotation(PotdemInput &input)
 void FixPotdemWallRegion::post_constructor()
 {
   FixPotdemMonitor::ensure(lmp);
+  const int state = potdem_friction_state(friction),
+            faces = domain->get_region_by_id(region_id)->cmax;
+  if (state > 0) memory = std::make_unique<PotdemWallMemory>(lmp, id, faces, state);
 }
 
 int FixPotdemWallRegion::setmask()
@@ -168,8 +149,9 @@ void FixPotdemWallRegion::init()
                "bpm/sphere",
                id);
   surface.init(region);
+  if (memory) memory->init();
   check_rotation();
-  if (friction.mu > 0.0 && friction.automatic)
+  if (potdem_friction_mu(friction) > 0.0 && potdem_friction_is_auto(friction))
     potdem_require_last(lmp, this, "balances the other forces on a particle ('friction auto')",
                         "^potdem/");
 }
@@ -182,7 +164,7 @@ void FixPotdemWallRegion::check_rotation()
                "Fix potdem/wall/region {}: rotation needs an atom style with spin, e.g. atom_style "
                "sphere",
                id);
-  if (!monitor || friction.mu == 0.0) return;
+  if (!monitor || potdem_friction_mu(friction) == 0.0) return;
   int mine = 0, any;
   for (int i = 0; i < atom->nlocal && atom->num_bond; i++)
     if (atom->mask[i] & groupbit)
@@ -222,33 +204,30 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   surface.follow();
   too_stiff = monitor ? monitor->stiffest_over_mass() : std::numeric_limits<double>::infinity();
   too_near = monitor ? FixPotdemMonitor::DEEP : 0.0;
+  const bool sliding = MOTION && potdem_friction_mu(friction) > 0.0;
   std::visit(
-      [this](const auto &wall) {
-        this->template push_with<MOTION>(wall);
+      [this, sliding](auto wall, const auto &rough) {
+        if (!MOTION) wall.rate = {};
+        sliding ? choose(wall, rough) : choose(wall, POTDEM::Frictionless());
       },
-      law);
+      law, friction);
 }
 
 /* ---------------------------------------------------------------------- */
 
-// the smallest kernel that the keywords need
-template <bool MOTION, class Wall> void FixPotdemWallRegion::push_with(const Wall &wall)
+template <class Wall, class Tangential>
+void FixPotdemWallRegion::choose(const Wall &wall, const Tangential &rough)
 {
-  const bool sliding = MOTION && friction.mu > 0.0;
-  const bool viscous = MOTION && Wall::viscous && viscosity > 0.0;
-  if (sliding && rotation)
-    viscous ? push_all<true, true, Wall::viscous>(wall) : push_all<true, true, false>(wall);
-  else if (sliding)
-    viscous ? push_all<true, false, Wall::viscous>(wall) : push_all<true, false, false>(wall);
-  else
-    viscous ? push_all<false, false, Wall::viscous>(wall) : push_all<false, false, false>(wall);
+  rotation ? push_all<true>(wall, rough) : push_all<false>(wall, rough);
 }
 
-// friction comes after the normal forces of all faces: it has to balance them
-template <bool SLIDE, bool SPIN, bool VISCOUS, class Wall>
-void FixPotdemWallRegion::push_all(const Wall &wall)
+// friction comes after the normal forces of all faces: it may have to balance them
+template <bool SPIN, class Wall, class Tangential>
+void FixPotdemWallRegion::push_all(const Wall &wall, const Tangential &rough)
 {
+  constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
+  const bool need_motion = SLIDE || ledger || wall.rate.active();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
@@ -261,10 +240,12 @@ void FixPotdemWallRegion::push_all(const Wall &wall)
                  id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
     touches.clear();
     for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
-      Touch touch;
-      if (normal_force<SLIDE, VISCOUS>(i, face, wall, touch)) touches.push_back(touch);
+      Touch touch{};
+      const bool touched = need_motion ? normal_force<true>(i, face, wall, touch)
+                                       : normal_force<false>(i, face, wall, touch);
+      if (touched) touches.push_back(touch);
     }
-    if (SLIDE && !touches.empty()) add_friction<SPIN>(i);
+    if constexpr (SLIDE) add_friction<SPIN>(i, rough);
   }
 }
 
@@ -277,41 +258,60 @@ void FixPotdemWallRegion::bring_back(double *x) const
   domain->remap(x);
 }
 
-template <bool SLIDE, bool VISCOUS, class Wall>
-bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &law,
+// del, and where they are wanted the velocities; wall: of the surface
+POTDEM::ContactMotion FixPotdemWallRegion::motion(int i, const PotdemWallSurface::Face &face,
+                                                  double *wall) const
+{
+  POTDEM::ContactMotion found{};
+  found.r = face.r;
+  MathExtra::scale3(face.r, face.n, found.del);
+  surface.velocity(face, wall);
+  MathExtra::sub3(atom->v[i], wall, found.v);
+  if (rotation) MathExtra::copy3(atom->omega[i], found.spin);
+  return found;
+}
+
+template <bool NEED_MOTION, class Wall>
+bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &wall,
                                        Touch &touch)
 {
   const double ri = atom->radius[i], r = face.r;
+  const auto geometry = wall.geometry(ri);
+  const double hard_core = wall.kernel.hard_core(geometry);
   if (domain->dimension == 2 && out_of_plane(i, face)) return false;
-  if (!(r > law.hard_core(ri)))
+  if (!(r > hard_core))
     error->one(FLERR,
                "Fix potdem/wall/region {}: atom {} is {} from the wall on step {}, which is not "
                "beyond the smallest "
                "distance {} of the law; use a smaller timestep or a law that pushes harder",
-               id, atom->tag[i], r, update->ntimestep, law.hard_core(ri));
-  const auto at = law.evaluate(r, ri);
-  if (at.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
-    suspect(i, law.hard_core(ri) > 0.0 ? 1.0 : r / ri, at.stiffness);
+               id, atom->tag[i], r, update->ntimestep, hard_core);
   MathExtra::copy3(face.n, touch.n);
-  MathExtra::scale3(-r, face.n, touch.arm);
-  touch.normal = at.force;
-  if (SLIDE || VISCOUS || ledger) surface.velocity(face, touch.wall);
-  if (VISCOUS) {
-    double u[3];
-    MathExtra::sub3(atom->v[i], touch.wall, u);
-    const double leaving = MathExtra::dot3(u, touch.n);
-    touch.normal = std::fmax(0.0, at.force - at.force / (law.reach(ri) - r) * viscosity * leaving);
-  }
+  MathExtra::scale3(r, face.n, touch.motion.del);
+  touch.motion.r = r;
+  touch.key = face.key;
+  if (NEED_MOTION) touch.motion = motion(i, face, touch.wall);
+  const auto found = POTDEM::contact_forces<false>(
+      wall.kernel, r, geometry, 1.0, wall.rate, POTDEM::Frictionless(), nullptr, false, 1.0,
+      [&touch] {
+        return touch.motion;
+      },
+      [] {
+        return POTDEM::ContactMasses();
+      });
+  touch.normal = found.normal;
+  touch.stiffness = found.elastic.stiffness;
+  if (touch.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
+    suspect(i, hard_core > 0.0 ? 1.0 : r / ri, touch.stiffness);
   double f[3];
   for (int k = 0; k < 3; k++) f[k] = touch.normal * touch.n[k];
   if (ledger) {
-    const double viscous = touch.normal - at.force, *n = touch.n;
+    const double viscous = found.viscous, *n = touch.n;
     const double along = MathExtra::dot3(n, touch.wall);
     ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
     ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
     ledger->add_wall(touch.normal * along);
   }
-  mine[0] += at.energy;
+  mine[0] += found.elastic.energy;
   add(i, touch, f);
   return true;
 }
@@ -341,8 +341,9 @@ bool FixPotdemWallRegion::out_of_plane(int i, const PotdemWallSurface::Face &fac
 // a force at the foot
 void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 {
+  const double *const del = touch.motion.del;
   double foot[3], turn[3];
-  MathExtra::add3(atom->x[i], touch.arm, foot);
+  MathExtra::sub3(atom->x[i], del, foot);
   MathExtra::cross3(foot, f, turn);
   for (int k = 0; k < 3; k++) {
     atom->f[i][k] += f[k];
@@ -350,43 +351,41 @@ void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
     mine[4 + k] -= turn[k];
   }
   if (evflag) {
-    const double *arm = touch.arm;
-    double virial[6] = {-f[0] * arm[0], -f[1] * arm[1], -f[2] * arm[2],
-                        -f[0] * arm[1], -f[0] * arm[2], -f[1] * arm[2]};
+    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2],
+                        f[0] * del[1], f[0] * del[2], f[1] * del[2]};
     v_tally(i, virial);
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-// of the surface of particle i at the foot, along the wall
-template <bool SPIN> void FixPotdemWallRegion::sliding(int i, const Touch &touch, double *u) const
+// what spin leaves of the mass at the surface
+double FixPotdemWallRegion::spin_share(double r_over_ri) const
 {
-  MathExtra::sub3(atom->v[i], touch.wall, u);
-  if (SPIN) {
-    double surface[3];
-    MathExtra::cross3(atom->omega[i], touch.arm, surface);
-    MathExtra::add3(u, surface, u);
-  }
-  MathExtra::scaleadd3(-MathExtra::dot3(u, touch.n), touch.n, u, u);
+  return rotation ? POTDEM::sliding_mass(r_over_ri, inertia) : 1.0;
 }
 
-template <bool SPIN> void FixPotdemWallRegion::add_friction(int i)
+template <bool SPIN, class Tangential>
+void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
 {
-  if (friction.automatic) {
-    hold_at_rest<SPIN>(i);
-  } else {
-    for (auto &touch : touches) {
-      sliding<SPIN>(i, touch, touch.drag);
-      const double speed = MathExtra::len3(touch.drag);
-      const double b = speed > 0.0 ? friction.factor(speed, touch.normal, friction.eta) : 0.0;
-      MathExtra::scale3(-b, touch.drag);
-    }
+  bool hold = false;
+  if constexpr (std::is_same_v<Tangential, POTDEM::Sliding>) {
+    hold = rough.automatic != 0.0;
+    if (hold) hold_at_rest<SPIN>(i, rough);
   }
-  for (const auto &touch : touches) {
+  for (auto &touch : touches) {
+    double *state = nullptr;
+    if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
+    if (!hold) {
+      const POTDEM::ContactMasses masses{atom->rmass[i], update->dt / force->mvv2e};
+      const auto slide =
+          POTDEM::slide_of<SPIN>(touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]),
+                                 touch.normal, touch.stiffness, !update->setupflag);
+      if (touch.normal > 0.0) rough.force(slide, state, touch.drag);
+    }
     add(i, touch, touch.drag);
     double turn[3];
-    MathExtra::cross3(touch.arm, touch.drag, turn);
+    POTDEM::torque_over_lever(touch.motion.del, touch.drag, turn);
     if (SPIN) MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
     if (!ledger) continue;
     const double across = MathExtra::dot3(touch.drag, touch.wall);
@@ -395,11 +394,12 @@ template <bool SPIN> void FixPotdemWallRegion::add_friction(int i)
     ledger->add_slip(FixPotdemLedger::FRICTION, across);
     ledger->add_wall(across);
   }
+  if constexpr (Tangential::STATE > 0) memory->forget_others(i);
 }
 
 // the forces that end the sliding at all faces within the step, the other forces (and torques) balanced, as far as
 // friction can: face by face, until nothing changes
-template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i)
+template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM::Sliding &rough)
 {
   const double mass_over_step = force->mvv2e * atom->rmass[i] / update->dt, ri = atom->radius[i];
   double f[3], torque[3] = {0.0, 0.0, 0.0}, change = 0.0, largest = 0.0;
@@ -407,28 +407,28 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i)
   if (SPIN) MathExtra::copy3(atom->torque[i], torque);
   for (auto &touch : touches) {
     MathExtra::zero3(touch.drag);
-    largest = std::fmax(largest, friction.mu * touch.normal);
+    largest = std::fmax(largest, rough.mu * touch.normal);
   }
   for (int round = 0; round < MAX_ROUNDS; round++) {
     change = 0.0;
     for (auto &touch : touches) {
       double stop[3], more[3];
-      sliding<SPIN>(i, touch, stop);
+      POTDEM::sliding_velocity<SPIN>(touch.motion, stop);
       const double pressed = MathExtra::dot3(f, touch.n);
       for (int k = 0; k < 3; k++)
         stop[k] = -mass_over_step * stop[k] - (f[k] - pressed * touch.n[k]);
       if (SPIN) {
         double roll[3];
-        MathExtra::cross3(torque, touch.arm, roll);
-        const double share = POTDEM::sliding_mass(MathExtra::len3(touch.arm) / ri, inertia);
+        MathExtra::cross3(touch.motion.del, torque, roll);
+        const double share = spin_share(touch.motion.r / ri);
         for (int k = 0; k < 3; k++) stop[k] = share * (stop[k] - roll[k] / (inertia * ri * ri));
       }
       MathExtra::add3(stop, touch.drag, stop);
-      MathExtra::scale3(friction.share(MathExtra::len3(stop), touch.normal), stop);
+      MathExtra::scale3(rough.share(MathExtra::len3(stop), touch.normal), stop);
       MathExtra::sub3(stop, touch.drag, more);
       MathExtra::copy3(stop, touch.drag);
       MathExtra::add3(f, more, f);
-      MathExtra::cross3(touch.arm, more, stop);
+      POTDEM::torque_over_lever(touch.motion.del, more, stop);
       MathExtra::add3(torque, stop, torque);
       change = std::fmax(change, MathExtra::len3(more));
     }
@@ -443,13 +443,13 @@ void FixPotdemWallRegion::add_stiffness_to(PotdemStiffness &sum, double ahead)
   surface.follow();
   std::visit(
       [this, &sum, ahead](const auto &wall) {
-        stiffen_with(wall, sum, ahead);
+        add_stiffness_of(wall, sum, ahead);
       },
       law);
 }
 
 template <class Wall>
-void FixPotdemWallRegion::stiffen_with(const Wall &wall, PotdemStiffness &sum, double ahead)
+void FixPotdemWallRegion::add_stiffness_of(const Wall &wall, PotdemStiffness &sum, double ahead)
 {
   const double further = ahead > 0.0 ? neighbor->skin : 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -470,31 +470,28 @@ template <class Wall>
 double FixPotdemWallRegion::closest(int i, const PotdemWallSurface::Face &face, double ahead,
                                     const Wall &wall) const
 {
-  const double ri = atom->radius[i];
-  double u[3];
-  surface.velocity(face, u);
-  MathExtra::sub3(atom->v[i], u, u);
-  const double rate = MathExtra::dot3(u, face.n);
-  if (rate >= 0.0 || face.r + rate * ahead >= wall.reach(ri)) return face.r;
-  return POTDEM::turning_point(MIN(face.r, wall.reach(ri)), wall.hard_core(ri),
-                               0.5 * force->mvv2e * atom->rmass[i] * rate * rate, [&](double r) {
-                                 return wall.evaluate(r, ri);
-                               });
+  double velocity[3];
+  const auto state = motion(i, face, velocity);
+  const auto geometry = wall.geometry(atom->radius[i]);
+  return POTDEM::closest_approach(state.r, MathExtra::dot3(state.v, face.n), ahead,
+                                  wall.reach(geometry.ri), wall.kernel.hard_core(geometry),
+                                  force->mvv2e * atom->rmass[i], [&](double r) {
+                                    return wall.kernel.evaluate(r, geometry);
+                                  });
 }
 
-// at the distance r; friction 'auto' follows the step and does not limit it
+// at the distance r
 template <class Wall>
-PotdemSpring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face &face, double r,
-                                         const Wall &wall) const
+POTDEM::Spring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face &face, double r,
+                                           const Wall &wall) const
 {
-  const double ri = atom->radius[i];
-  const auto at = wall.evaluate(r, ri);
-  PotdemSpring spring{{face.n[0], face.n[1], face.n[2]}, at.stiffness, 0.0, 0.0, 0.0};
-  if (Wall::viscous) spring.viscosity = at.force / (wall.reach(ri) - r) * viscosity;
-  if (friction.mu > 0.0 && !friction.automatic)
-    spring.friction = rotation ? friction.eta / POTDEM::sliding_mass(r / ri, inertia)
-                               : friction.eta;
-  return spring;
+  const auto geometry = wall.geometry(atom->radius[i]);
+  return std::visit(
+      [&](const auto &rough) {
+        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough,
+                                      spin_share(r / geometry.ri), face.n);
+      },
+      friction);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -6,18 +6,38 @@
 #ifndef LMP_FIX_POTDEM_WALL_REGION_H
 #define LMP_FIX_POTDEM_WALL_REGION_H
 
-#include "core/laws/friction.h"
-#include "core/laws/wall.h"
+#include "core/contact/contact.h"
+#include "core/laws/hertz_wall.h"
+#include "core/laws/law_list.h"
+#include "core/laws/viscous.h"
 #include "lammps/glue/interfaces.h"
+#include "lammps/glue/potdem_friction.h"
+#include "lammps/wall/potdem_wall_memory.h"
 #include "lammps/wall/potdem_wall_surface.h"
 
 #include "fix.h"
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace LAMMPS_NS {
+
+// a law made ready for a wall
+template <class Law> struct PotdemWallLaw {
+  using Rate = std::conditional_t<Law::rate_dependent, POTDEM::Viscous, POTDEM::Elastic>;
+
+  Law law;
+  typename Law::Kernel kernel;
+  Rate rate;
+
+  double reach(double ri) const { return law.reach(ri); }
+  POTDEM::WallGeometry geometry(double ri) const
+  {
+    return {ri, Law::contact_only ? law.reach(ri) : ri};
+  }
+};
 
 class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySource {
  public:
@@ -39,11 +59,13 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
  private:
   // a particle that touches a face
   struct Touch {
-    double n[3];       // off the wall
-    double arm[3];     // from the centre to the foot on the surface
-    double normal;     // force
+    POTDEM::ContactMotion
+        motion;    // del: off the wall, from the foot on the surface to the centre
+    double n[3];
+    double normal, stiffness;
     double wall[3];    // velocity of the surface at the foot
     double drag[3];    // friction
+    int key;           // of the face
   };
 
   std::string region_id;
@@ -52,11 +74,11 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   class FixPotdemLedger *ledger;      // null: no compute potdem/energy
   class FixPotdemMonitor *monitor;    // null: nothing to warn of
   double too_stiff, too_near;    // stiffness over mass, distance over radius: to be looked at twice
-  std::variant<POTDEM::LayeredHertzWall, POTDEM::LawWall<POTDEM::ShiftedLJ>,
-               POTDEM::LawWall<POTDEM::RegularisedGranular>, POTDEM::LawWall<POTDEM::TrussContact>>
-      law;
-  POTDEM::Friction friction;
-  double viscosity;    // H of eq. 5.17, time
+#define POTDEM_WALL_OF_LAW(name, Law) , PotdemWallLaw<POTDEM::Law>
+  std::variant<PotdemWallLaw<POTDEM::HertzWall> CONTACT_LAWS(POTDEM_WALL_OF_LAW)> law;
+#undef POTDEM_WALL_OF_LAW
+  PotdemFriction friction;
+  std::unique_ptr<PotdemWallMemory> memory;    // null: friction remembers nothing
   bool rotation;
   double inertia;                // of a particle that spins, over m r^2
   std::vector<Touch> touches;    // of one particle
@@ -65,29 +87,30 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   bool summed;
 
   void read(int, char **);
-  void read_hertz(class PotdemInput &);
-  bool read_hertz_option(class PotdemInput &);
-  template <class Law> void read_wall(class PotdemInput &);
-  void read_common(class PotdemInput &, const char *names);
+  void read_named(class PotdemMaterialInput &);
+  template <class Law> void read_wall(class PotdemMaterialInput &);
+  void read_common(class PotdemMaterialInput &, const std::string &names);
   void read_rotation(class PotdemInput &);
   void check_rotation();
 
   template <bool MOTION> void act(int vflag);
-  template <bool MOTION, class Wall> void push_with(const Wall &);
-  template <bool SLIDE, bool SPIN, bool VISCOUS, class Wall> void push_all(const Wall &);
-  template <bool SLIDE, bool VISCOUS, class Wall>
+  template <class Wall, class Tangential> void choose(const Wall &, const Tangential &);
+  template <bool SPIN, class Wall, class Tangential>
+  void push_all(const Wall &, const Tangential &);
+  template <bool NEED_MOTION, class Wall>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, Touch &);
-  template <bool SPIN> void add_friction(int i);
-  template <bool SPIN> void hold_at_rest(int i);
-  template <bool SPIN> void sliding(int i, const Touch &, double *u) const;
+  template <bool SPIN, class Tangential> void add_friction(int i, const Tangential &);
+  template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);
-  template <class Wall> void stiffen_with(const Wall &, class PotdemStiffness &, double ahead);
+  POTDEM::ContactMotion motion(int i, const PotdemWallSurface::Face &, double *wall) const;
+  double spin_share(double r_over_ri) const;
+  template <class Wall> void add_stiffness_of(const Wall &, class PotdemStiffness &, double ahead);
   template <class Wall>
   double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;
   template <class Wall>
-  struct PotdemSpring spring(int i, const PotdemWallSurface::Face &, double r, const Wall &) const;
+  POTDEM::Spring spring(int i, const PotdemWallSurface::Face &, double r, const Wall &) const;
   void suspect(int i, double nearness, double stiffness) const;
   double sum(int);
 };

@@ -18,6 +18,8 @@ using namespace LAMMPS_NS;
 static constexpr double ELLIPSOID_SEARCH = 2.0;
 // over the reach: parts closer than this are flush
 static constexpr double FLUSH = 1e-6;
+// of one part, in the keys of faces
+static constexpr int MOST_FACES = 64;
 // over the reach: how far beyond a seam a surface must rise to count as a new one
 static constexpr double BEYOND = 1e-3;
 
@@ -165,7 +167,8 @@ void PotdemWallSurface::add_faces(int part, int n, const double *x, double reach
     const auto &contact = from->contact[k];
     if (contact.r >= reach) continue;
     const double del[3] = {contact.delx, contact.dely, contact.delz};
-    Face face{part, {}, {}, contact.r, from->varshape && contact.varflag};
+    const int key = 1 + part * MOST_FACES + contact.iwall;
+    Face face{part, {}, {}, contact.r, from->varshape && contact.varflag, key};
     MathExtra::sub3(x, del, face.foot);
     if (contact.r > 0.0) MathExtra::scale3(1.0 / contact.r, del, face.n);
     out.push_back(face);

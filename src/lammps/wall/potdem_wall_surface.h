@@ -28,6 +28,7 @@ class PotdemWallSurface : protected Pointers {
     double n[3];       // from there to the centre
     double r;          // distance
     bool grows;        // its velocity is that of a change of shape, too
+    int key;           // the same for the same face as long as the region is the same, > 0
   };
 
   PotdemWallSurface(LAMMPS *);

@@ -1,0 +1,114 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* A contact: a normal law, a rate law and a tangential law (core/laws) put together. The one place for the loops over
+   pairs and walls, single(), and the critical step. */
+
+#ifndef POTDEM_CONTACT_H
+#define POTDEM_CONTACT_H
+
+#include "core/contact/kinematics.h"
+#include "core/laws/coefficients.h"
+#include "core/laws/evaluation.h"
+#include "core/laws/slide.h"
+#include "core/stability/spring.h"
+
+#include <type_traits>
+
+namespace POTDEM {
+
+// no rate law, no tangential law
+struct Elastic {
+  static constexpr std::array<Coefficient<Elastic>, 0> coefficients() { return {}; }
+  static constexpr bool active() { return false; }
+  static Elastic mixed(const Elastic &, const Elastic &) { return {}; }
+};
+struct Frictionless {
+  static constexpr int STATE = 0;
+  static constexpr double mu = 0.0;
+};
+
+// masses of what touches, in which step * force is mass * velocity
+struct ContactMasses {
+  double effective;    // mi mj / (mi + mj), mi at a wall
+  double step;
+};
+
+struct ContactForces {
+  Evaluation elastic;    // of the normal law; the others carry the weight
+  double normal;
+  double viscous;        // the part of `normal` that has no potential
+  double friction[3];    // on the first
+};
+
+// spin_share: what spin leaves of the mass at the surface
+template <bool SPIN>
+inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses, double spin_share,
+                      double normal, double stiffness, bool advance)
+{
+  Slide slide{{},
+              {at.del[0] / at.r, at.del[1] / at.r, at.del[2] / at.r},
+              normal,
+              stiffness,
+              spin_share * masses.effective,
+              masses.step,
+              advance};
+  sliding_velocity<SPIN>(at, slide.u);
+  return slide;
+}
+
+// motion(): ContactMotion, masses(): ContactMasses, only asked for where they matter. state: what the tangential law remembers, or null
+template <bool SPIN, class Kernel, class Geometry, class Rate, class Tangential, class Motion,
+          class Masses>
+inline ContactForces contact_forces(const Kernel &kernel, double r, const Geometry &geometry,
+                                    double weight, const Rate &rate_law,
+                                    const Tangential &tangential, double *state, bool advance,
+                                    double spin_share, Motion &&motion, Masses &&masses)
+{
+  ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {0.0, 0.0, 0.0}};
+  double normal = found.elastic.force;
+  if constexpr (!std::is_same_v<Rate, Elastic>)
+    if (r < geometry.contact) {
+      const double rate = rate_of_distance(motion());
+      normal = rate_law.total(found.elastic.force, geometry.contact - r, rate);
+      found.viscous = weight * (normal - found.elastic.force);
+    }
+  found.normal = weight * normal;
+  if constexpr (!std::is_same_v<Tangential, Frictionless>)
+    if (found.normal > 0.0 && tangential.mu > 0.0) {
+      const auto slide = slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
+                                        weight * found.elastic.stiffness, advance);
+      tangential.force(slide, state, found.friction);
+    }
+  return found;
+}
+
+// its tangent, for the critical step, at the distance r along n. spin_share as above
+template <class Kernel, class Geometry, class Rate, class Tangential>
+Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry, double weight,
+                      const Rate &rate_law, const Tangential &tangential, double spin_share,
+                      const double *n)
+{
+  const auto law = kernel.evaluate(r, geometry);
+  Spring spring{{n[0], n[1], n[2]},
+                weight * law.stiffness,
+                Geometry::flat ? 0.0 : -weight * law.force / r,
+                0.0,
+                0.0};
+  if constexpr (!std::is_same_v<Rate, Elastic>)
+    if (r < geometry.contact)
+      spring.viscosity = weight * rate_law.viscosity(law.force, geometry.contact - r);
+  if constexpr (!std::is_same_v<Tangential, Frictionless>)
+    if (law.force > 0.0 && tangential.mu > 0.0) {
+      spring.friction = tangential.viscosity(spin_share);
+      if constexpr (Tangential::STATE > 0)
+        spring.across = tangential.stiffness(weight * law.stiffness) / spin_share;
+    }
+  return spring;
+}
+
+}    // namespace POTDEM
+
+#endif

@@ -1,0 +1,56 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* The motion of two bodies at their contact, for particles with and without spin, spheres and discs, and walls alike.
+
+   del points from the second to the first centre (from a wall's surface to the centre), r is its length, v the velocity of
+   the first over the second one. Where surfaces move with the spin (SPIN), `spin` is the sum over the two of
+   lever * angular velocity: lever = radius / (ri + rj) of a pair, 1 of a particle at a wall; the arm from a centre to the
+   contact is lever * del long. */
+
+#ifndef POTDEM_KINEMATICS_H
+#define POTDEM_KINEMATICS_H
+
+namespace POTDEM {
+
+struct ContactMotion {
+  double del[3], r;
+  double v[3];
+  double spin[3];
+};
+
+inline double dot(const double *a, const double *b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// dr/dt
+inline double rate_of_distance(const ContactMotion &at)
+{
+  return dot(at.v, at.del) / at.r;
+}
+
+// of the first surface over the second
+template <bool SPIN> inline void sliding_velocity(const ContactMotion &at, double *u)
+{
+  const double along = dot(at.v, at.del) / (at.r * at.r);
+  for (int k = 0; k < 3; k++) u[k] = at.v[k] - along * at.del[k];
+  if (!SPIN) return;
+  u[0] -= at.spin[1] * at.del[2] - at.spin[2] * at.del[1];
+  u[1] -= at.spin[2] * at.del[0] - at.spin[0] * at.del[2];
+  u[2] -= at.spin[0] * at.del[1] - at.spin[1] * at.del[0];
+}
+
+// of a force f on the first at the contact: the torque on either body is its lever times this
+inline void torque_over_lever(const double *del, const double *f, double *torque)
+{
+  torque[0] = f[1] * del[2] - f[2] * del[1];
+  torque[1] = f[2] * del[0] - f[0] * del[2];
+  torque[2] = f[0] * del[1] - f[1] * del[0];
+}
+
+}    // namespace POTDEM
+
+#endif

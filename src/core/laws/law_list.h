@@ -1,0 +1,46 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* The only table of laws: a law is its file and its row here (docs/developer.md). */
+
+#ifndef POTDEM_LAW_LIST_H
+#define POTDEM_LAW_LIST_H
+
+#include "hertz.h"
+#include "regularised_granular.h"
+#include "shifted_lj.h"
+#include "sliding.h"
+#include "truss_contact.h"
+
+// clang-format off
+
+// X(name, Law): pair_style potdem/NAME, and 'law NAME' of fix potdem/wall/region
+#define CONTACT_LAWS(X) \
+  X(granular, RegularisedGranular) \
+  X(hertz, Hertz) \
+  X(lj, ShiftedLJ) \
+  X(truss, TrussContact)
+
+// X(Law): 'friction mu KEYWORD ...' of both; the first has no keyword
+#define TANGENTIAL_LAWS(X) \
+  X(Sliding)
+
+// clang-format on
+
+namespace POTDEM {
+
+template <class Law> constexpr const char *law_name();
+
+#define POTDEM_NAME_OF_LAW(name, Law)               \
+  template <> constexpr const char *law_name<Law>() \
+  {                                                 \
+    return #name;                                   \
+  }
+CONTACT_LAWS(POTDEM_NAME_OF_LAW)
+#undef POTDEM_NAME_OF_LAW
+
+}    // namespace POTDEM
+
+#endif

@@ -1,0 +1,42 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What a tangential law sees of a contact that is pressed together, and how spin makes its surfaces give way.
+
+   A tangential law is a struct of coefficients, the first of which is mu, with
+     STATE                              numbers that it keeps per contact, 0 at first touch
+     force(slide, state, f)             the force f on the first particle (LAMMPS's sign), and what it remembers
+     turn(state)                        (if STATE > 0) what the second particle would remember
+     viscosity(mass)                    the largest force over velocity, for the critical step
+     stiffness(normal stiffness)        (if STATE > 0) the largest force over displacement, likewise */
+
+#ifndef POTDEM_SLIDE_H
+#define POTDEM_SLIDE_H
+
+namespace POTDEM {
+
+struct Slide {
+  double u[3];         // velocity of the first particle's surface over the second one's
+  double n[3];         // from the second to the first
+  double normal;       // force, > 0
+  double stiffness;    // of the normal force
+  double mass;         // that a force at the surface accelerates there
+  double step;         // in which mass over it is force over velocity
+  bool advance;        // a step has been made: state may change
+};
+
+// of a particle that spins, over m r^2: a solid sphere, a disc
+constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;
+
+// mass that a tangential force at the surface accelerates there, over the particle's: 1/(1/m + a^2/I) with
+// arm = a/r, inertia = I/(m r^2); 2/7 for a solid sphere, 1/3 for a disc
+constexpr double sliding_mass(double arm, double inertia)
+{
+  return 1.0 / (1.0 + arm * arm / inertia);
+}
+
+}    // namespace POTDEM
+
+#endif

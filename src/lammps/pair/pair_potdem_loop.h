@@ -1,0 +1,193 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* The loop over pairs, once for every law. */
+
+#ifndef LMP_PAIR_POTDEM_LOOP_H
+#define LMP_PAIR_POTDEM_LOOP_H
+
+#include "lammps/pair/fix_potdem_contacts.h"
+#include "lammps/pair/pair_potdem.h"
+
+#include "atom.h"
+#include "error.h"
+#include "force.h"
+#include "neigh_list.h"
+#include "update.h"
+
+#include <cmath>
+
+namespace LAMMPS_NS {
+
+template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
+{
+  ev_init(eflag, vflag);
+  prepare_work();
+  ThreadShare all{0, list->inum, atom->f, atom->torque, nullptr};
+  work(all);
+  report(all);
+  if (vflag_fdotr) virial_fdotr_compute();
+}
+
+template <class Law> void PairPotdem<Law>::prepare_work()
+{
+  if (frictions_known) return;
+  if (!potdem_same_law(friction, frictions))
+    error->all(FLERR,
+               "pair_style {}: its pair_coeff have different laws of friction; give all the same "
+               "one, or use pair_style hybrid",
+               name());
+  if (!sliding) frictions = std::monostate();
+  frictions_known = true;
+}
+
+// the smallest kernel that the coefficients need
+template <class Law> void PairPotdem<Law>::work(ThreadShare &share)
+{
+  std::visit(
+      [this, &share](const auto &rough) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(rough)>, std::monostate>) {
+          const POTDEM::Frictionless *const none = nullptr;
+          evflag ? choose_rate<POTDEM::Frictionless, false, true>(share, none)
+                 : choose_rate<POTDEM::Frictionless, false, false>(share, none);
+        } else {
+          choose(share, rough);
+        }
+      },
+      frictions);
+}
+
+template <class Law>
+template <class Tangential>
+void PairPotdem<Law>::choose(ThreadShare &share, const std::vector<Tangential> &rough)
+{
+  if (evflag)
+    rotation ? choose_rate<Tangential, true, true>(share, rough.data())
+             : choose_rate<Tangential, false, true>(share, rough.data());
+  else
+    rotation ? choose_rate<Tangential, true, false>(share, rough.data())
+             : choose_rate<Tangential, false, false>(share, rough.data());
+}
+
+template <class Law>
+template <class Tangential, bool SPIN, bool EV>
+void PairPotdem<Law>::choose_rate(ThreadShare &share, const Tangential *rough)
+{
+  if constexpr (Law::rate_dependent)
+    if (viscous) return loop<Tangential, SPIN, true, EV>(share, rough);
+  loop<Tangential, SPIN, false, EV>(share, rough);
+}
+
+// one particle i at a time, its force kept in registers
+template <class Law>
+template <class Tangential, bool SPIN, bool RATE, bool EV>
+void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
+{
+  using RateLaw = std::conditional_t<RATE, Rate, POTDEM::Elastic>;
+  constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
+  constexpr double spin_share = SPIN ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0;
+  constexpr Tangential frictionless{};
+  const auto *const x = (const double(*)[3]) atom->x[0];
+  const auto *const v = (const double(*)[3]) atom->v[0];
+  const auto *const omega = SPIN ? (const double(*)[3]) atom->omega[0] : nullptr;
+  auto *const f = (double(*)[3]) share.f[0];
+  const double *const radius = atom->radius, *const rmass = atom->rmass;
+  const double *const special = force->special_lj, *const nearest = alarm.data();
+  const int *const type = atom->type;
+  const int nlocal = atom->nlocal, newton = force->newton_pair;
+  const bool remembering = contacts && contacts->any(), advance = !update->setupflag;
+  const double step = update->dt / force->mvv2e;
+
+  for (int ii = share.from; ii < share.to; ii++) {
+    const int i = list->ilist[ii], pairs = at(type[i], 0), jnum = list->numneigh[i];
+    const int *const jlist = list->firstneigh[i];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], ri = radius[i];
+    double fi[3] = {0.0, 0.0, 0.0};
+    for (int jj = 0; jj < jnum; jj++) {
+      const int j = jlist[jj] & NEIGHMASK, pair = pairs + type[j];
+      const double weight = special[sbmask(jlist[jj])], rj = radius[j];
+      const double del[3] = {xi - x[j][0], yi - x[j][1], zi - x[j][2]};
+      const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
+      const double reach = laws[pair].reach(ri + rj);
+      if (r2 >= reach * reach || weight == 0.0) {
+        if constexpr (Tangential::STATE > 0) contacts->part(i, jj);
+        continue;
+      }
+
+      const double r = sqrt(r2), near = nearest[pair] * (ri + rj);
+      const double *const memory = remembering ? contacts->memory(i, jj) : nullptr;
+      const auto partners = memory ? geometry(i, j, *memory)
+                                   : POTDEM::ContactGeometry{ri, rj, ri + rj};
+      if (!(r2 > near * near)) {    // true for NaN as well
+        if (!(r > kernels[pair].hard_core(partners))) {
+          share.i = i;
+          share.j = j;
+          return;
+        }
+        if (monitor) suspect(share, i, j);
+      }
+
+      const auto motion = [&] {
+        POTDEM::ContactMotion m{{del[0], del[1], del[2]}, r, {}, {}};
+        for (int k = 0; k < 3; k++) m.v[k] = v[i][k] - v[j][k];
+        if (SPIN)
+          for (int k = 0; k < 3; k++) m.spin[k] = (ri * omega[i][k] + rj * omega[j][k]) / (ri + rj);
+        return m;
+      };
+      const auto masses = [&] {
+        return POTDEM::ContactMasses{rmass[i] * rmass[j] / (rmass[i] + rmass[j]), step};
+      };
+      double *state = nullptr;
+      if constexpr (Tangential::STATE > 0) state = contacts->touch(i, jj);
+      RateLaw rate{};
+      if constexpr (RATE) rate = rates[pair];
+      const auto found = POTDEM::contact_forces<SPIN>(kernels[pair], r, partners, weight, rate,
+                                                      SLIDE ? rough[pair] : frictionless, state,
+                                                      advance, spin_share, motion, masses);
+
+      const double along = found.normal / r;
+      double push[3] = {along * del[0], along * del[1], along * del[2]};
+      if (RATE && ledger && r < partners.contact) {
+        const double viscous = found.viscous / r;
+        const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
+        note(FixPotdemLedger::VISCOUS, i, j, drag);
+      }
+      if (SLIDE && found.normal > 0.0) {
+        for (int k = 0; k < 3; k++) push[k] += found.friction[k];
+        if (ledger) note(FixPotdemLedger::FRICTION, i, j, found.friction);
+        if (SPIN) {
+          const double lever_i = ri / (ri + rj), lever_j = rj / (ri + rj);
+          double turn[3];
+          POTDEM::torque_over_lever(del, found.friction, turn);
+          if (ledger) note_torque(i, j, lever_i, lever_j, turn);
+          for (int k = 0; k < 3; k++) share.torque[i][k] += lever_i * turn[k];
+          if (newton || j < nlocal)
+            for (int k = 0; k < 3; k++) share.torque[j][k] += lever_j * turn[k];
+        }
+      }
+      for (int k = 0; k < 3; k++) fi[k] += push[k];
+      if (newton || j < nlocal)
+        for (int k = 0; k < 3; k++) f[j][k] -= push[k];
+      if (EV) tally(share, i, j, del, weight * found.elastic.energy, push);
+    }
+    for (int k = 0; k < 3; k++) f[i][k] += fi[k];
+  }
+}
+
+template <class Law>
+void PairPotdem<Law>::transfer_history(double *from, double *to, int itype, int jtype)
+{
+  to[0] = from[0];
+  std::visit(
+      [from, to](const auto &rough) {
+        for (int k = 1; k <= rough.STATE; k++) to[k] = from[k];
+        if constexpr (std::decay_t<decltype(rough)>::STATE > 0) rough.turn(to + 1);
+      },
+      friction[at(itype, jtype)]);
+}
+
+}    // namespace LAMMPS_NS
+
+#endif

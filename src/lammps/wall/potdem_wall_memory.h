@@ -1,0 +1,39 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* What the contacts of particles with the faces of a wall remember, in LAMMPS's fix STORE/ATOM, which carries it through
+   exchange, sorting and restart files: for each particle so many places as it can touch faces at once, each the key of a
+   face (0: free) and the numbers of the tangential law. There only where a law remembers. */
+
+#ifndef LMP_POTDEM_WALL_MEMORY_H
+#define LMP_POTDEM_WALL_MEMORY_H
+
+#include "pointers.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PotdemWallMemory : protected Pointers {
+ public:
+  // of the fix with this ID; not while a fix is made
+  PotdemWallMemory(LAMMPS *, const std::string &id_fix, int faces, int state);
+  ~PotdemWallMemory() override;
+  void init();    // error if the fix that keeps it was removed
+
+  double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
+  void forget_others(int i);          // faces that of_face() was not asked for since the last time
+
+ private:
+  std::string id, id_owner;
+  int faces, width;
+  class FixStoreAtom *store;
+  std::vector<bool> touched;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
