@@ -11,6 +11,7 @@
 
 #include "lammps/output/compute_potdem_strain_atom.h"
 
+#include "core/laws/green_lagrange.h"
 #include "core/laws/truss.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
@@ -19,6 +20,7 @@
 #include "atom.h"
 #include "error.h"
 #include "math_eigen_impl.h"
+#include "math_extra.h"
 #include "memory.h"
 #include "modify.h"
 #include "update.h"
@@ -132,58 +134,41 @@ void ComputePotdemStrainAtom::compute_peratom()
   }
 }
 
-/* ----------------------------------------------------------------------
-   shear components are scaled by sqrt(2) inside, so that the norm is that of the tensor
-------------------------------------------------------------------------- */
-
 void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
 {
-  double matrix[6][6] = {}, right[6] = {}, values[6], vectors[6][6];
-  int nbonds = 0;
+  POTDEM::StrainFit fit;
   for (int m = 0; m < atom->num_bond[i]; m++) {
     const double re = history->length(i, m);
     if (atom->bond_type[i][m] <= 0 || re <= 0.0) continue;
     const int k = atom->map(atom->bond_atom[i][m]);
     if (k < 0) continue;
     const int j = domain->closest_image(i, k);
-    double n[3], r2 = 0.0, n2 = 0.0;
-    for (int c = 0; c < 3; c++) {
-      n[c] = reference[j][c] - reference[i][c];
-      r2 += (atom->x[j][c] - atom->x[i][c]) * (atom->x[j][c] - atom->x[i][c]);
-    }
+    double n[3], del[3];
+    MathExtra::sub3(reference[j], reference[i], n);
+    MathExtra::sub3(atom->x[j], atom->x[i], del);
     PotdemCompat::minimum_image(domain, n);
-    for (int c = 0; c < 3; c++) n2 += n[c] * n[c];
-    if (fabs(n2 - re * re) > 2.0 * MOVED * re * re)
-      error->one(FLERR,
-                 "compute potdem/strain/atom {}: the bond of atoms {} and {} has the reference "
-                 "length {}, but their "
-                 "reference positions are {} apart: they were bonded after the compute had seen "
-                 "them elsewhere, "
-                 "or a periodic box has changed its size; define the compute after the bonds, and "
-                 "strain across a periodic boundary needs a box of fixed size",
-                 id, atom->tag[i], atom->tag[j], re, sqrt(n2));
-    const double row[6] = {n[0] * n[0] / n2,           n[1] * n[1] / n2,
-                           n[2] * n[2] / n2,           M_SQRT2 * n[0] * n[1] / n2,
-                           M_SQRT2 * n[0] * n[2] / n2, M_SQRT2 * n[1] * n[2] / n2};
-    const double eps = POTDEM::truss_strain(r2 / (re * re));
-    for (int a = 0; a < 6; a++) {
-      right[a] += row[a] * eps;
-      for (int b = 0; b < 6; b++) matrix[a][b] += row[a] * row[b];
-    }
-    nbonds++;
+    check_length(i, j, re, MathExtra::len3(n));
+    fit.add(n, POTDEM::truss_strain(MathExtra::lensq3(del) / (re * re)));
   }
-  out[6] = nbonds;
-  if (nbonds == 0) return;
-
+  out[6] = fit.bonds;
+  if (fit.bonds == 0) return;
+  double values[6], vectors[6][6];
   MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(
-      matrix, values, vectors);
-  for (int k = 0; k < 6 && values[k] > SINGULAR * values[0]; k++) {
-    double share = 0.0;
-    for (int a = 0; a < 6; a++) share += vectors[k][a] * right[a];
-    for (int a = 0; a < 6; a++) out[a] += share / values[k] * vectors[k][a];
-    out[7] += 1.0;
-  }
-  for (int a = 3; a < 6; a++) out[a] /= M_SQRT2;
+      fit.matrix, values, vectors);
+  out[7] = fit.solve(values, vectors, SINGULAR, out);
+}
+
+void ComputePotdemStrainAtom::check_length(int i, int j, double re, double reference) const
+{
+  if (fabs(reference * reference - re * re) > 2.0 * MOVED * re * re)
+    error->one(FLERR,
+               "compute potdem/strain/atom {}: the bond of atoms {} and {} has the reference "
+               "length {}, but their "
+               "reference positions are {} apart: they were bonded after the compute had seen "
+               "them elsewhere, "
+               "or a periodic box has changed its size; define the compute after the bonds, and "
+               "strain across a periodic boundary needs a box of fixed size",
+               id, atom->tag[i], atom->tag[j], re, reference);
 }
 
 double ComputePotdemStrainAtom::memory_usage()

@@ -30,6 +30,7 @@ class ComputePotdemStrainAtom : public Compute {
   void check_reference(double **reference);
   double **reference() const;
   void fit(int i, double **reference, double *out);
+  void check_length(int i, int j, double re, double reference) const;
 };
 
 }    // namespace LAMMPS_NS

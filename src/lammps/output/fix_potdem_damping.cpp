@@ -3,9 +3,6 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* Numerical damping (thesis eq. 5.30, after Cundall):  Fd = -lambda F sgn(F.v), F the total force on the
-   particle; by component: -lambda |Fk| sgn(vk). sgn(0) = 0. 0 <= lambda < 1. */
-
 #include "lammps/output/fix_potdem_damping.h"
 
 #include "lammps/glue/potdem_input.h"
@@ -13,33 +10,26 @@
 
 #include "atom.h"
 
-#include <cmath>
-
 using namespace LAMMPS_NS;
 using namespace FixConst;
-
-static double sign(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), lambda(0.0), by_component(false), ledger(nullptr)
+    Fix(lmp, narg, arg), damping{0.0, false}, ledger(nullptr)
 {
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
-  lambda = input.in_range("lambda", POTDEM::fraction());
+  damping.lambda = input.in_range("lambda", POTDEM::fraction());
   while (!input.done()) {
     if (!input.next_is("form")) {
       input.word();
       input.unknown("form");
     }
     if (input.next_is("vector"))
-      by_component = false;
+      damping.by_component = false;
     else if (input.next_is("component"))
-      by_component = true;
+      damping.by_component = true;
     else {
       input.word();
       input.unknown("vector or component");
@@ -75,12 +65,8 @@ void FixPotdemDamping::post_force(int /*vflag*/)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!amplifies(i)) continue;
     double drag[3];
-    const double s = by_component ? 0.0
-                                  : sign(f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2]);
-    for (int k = 0; k < 3; k++) {
-      drag[k] = -lambda * (by_component ? fabs(f[i][k]) * sign(v[i][k]) : s * f[i][k]);
-      f[i][k] += drag[k];
-    }
+    damping.force(f[i], v[i], drag);
+    for (int k = 0; k < 3; k++) f[i][k] += drag[k];
     if (ledger) ledger->add(FixPotdemLedger::DAMPING, i, drag[0], drag[1], drag[2]);
   }
 }

@@ -6,6 +6,7 @@
 #ifndef LMP_FIX_POTDEM_DAMPING_H
 #define LMP_FIX_POTDEM_DAMPING_H
 
+#include "core/laws/cundall.h"
 #include "lammps/glue/interfaces.h"
 
 #include "fix.h"
@@ -16,15 +17,14 @@ class FixPotdemDamping : public Fix, public ForceAmplifier {
  public:
   FixPotdemDamping(class LAMMPS *, int, char **);
   int setmask() override;
-  double amplification() const override { return 1.0 + lambda; }
+  double amplification() const override { return damping.amplification(); }
   bool amplifies(int i) const override;
   void init() override;
   void setup(int) override;
   void post_force(int) override;
 
  private:
-  double lambda;
-  bool by_component;
+  POTDEM::Cundall damping;
   class FixPotdemLedger *ledger;    // null: no compute potdem/energy
 };
 

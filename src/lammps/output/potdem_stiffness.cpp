@@ -5,6 +5,8 @@
 
 #include "lammps/output/potdem_stiffness.h"
 
+#include "core/stability/critical_step.h"
+
 #include "math_eigen.h"
 
 #include <algorithm>
@@ -47,18 +49,13 @@ double PotdemStiffness::Tensor::largest_row() const
 
 /* ---------------------------------------------------------------------- */
 
-// step^2 k + 2 step c = 4
-static double longest_step(double k, double c)
-{
-  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
-}
-
 PotdemSteps PotdemStiffness::steps_of(int i, double (Tensor::*largest)() const) const
 {
   const double scale = inverse_root[i];
   const double k = scale * (stiffness[i].*largest)();
   const double c = viscosity.empty() ? 0.0 : scale * (viscosity[i].*largest)();
-  return {longest_step(k, c), longest_step(k, 0.0), 1.0 / (scale * std::sqrt(stiffest[i]))};
+  return {POTDEM::critical_step(k, c), POTDEM::critical_step(k, 0.0),
+          1.0 / (scale * std::sqrt(stiffest[i]))};
 }
 
 PotdemSteps PotdemStiffness::steps(int i) const

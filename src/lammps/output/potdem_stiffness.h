@@ -15,7 +15,7 @@
      step^2 k + 2 step c <= 4
      k, c: largest eigenvalues of sum over pairs H (1/mi + 1/sqrt(mi mj)) + sum over walls H/mi
 
-   or step <= 2/omega (sqrt(1 + xi^2) - xi) with omega^2 = k, xi = c/(2 omega). */
+   (core/stability/critical_step.h). */
 
 #ifndef LMP_POTDEM_STIFFNESS_H
 #define LMP_POTDEM_STIFFNESS_H
