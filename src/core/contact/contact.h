@@ -11,6 +11,7 @@
 
 #include "core/contact/kinematics.h"
 #include "core/laws/coefficients.h"
+#include "core/laws/device.h"
 #include "core/laws/evaluation.h"
 #include "core/laws/slide.h"
 #include "core/stability/spring.h"
@@ -22,7 +23,7 @@ namespace POTDEM {
 // no rate law, no tangential law
 struct Elastic {
   static constexpr std::array<Coefficient<Elastic>, 0> coefficients() { return {}; }
-  static constexpr bool active() { return false; }
+  POTDEM_FUNCTION static constexpr bool active() { return false; }
   static Elastic mixed(const Elastic &, const Elastic &) { return {}; }
 };
 struct Frictionless {
@@ -45,8 +46,9 @@ struct ContactForces {
 
 // spin_share: what spin leaves of the mass at the surface
 template <bool SPIN>
-inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses, double spin_share,
-                      double normal, double stiffness, bool advance)
+POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses,
+                                      double spin_share, double normal, double stiffness,
+                                      bool advance)
 {
   Slide slide{{},
               {at.del[0] / at.r, at.del[1] / at.r, at.del[2] / at.r},
@@ -62,10 +64,10 @@ inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses, doub
 // motion(): ContactMotion, masses(): ContactMasses, only asked for where they matter. state: what the tangential law remembers, or null
 template <bool SPIN, class Kernel, class Geometry, class Rate, class Tangential, class Motion,
           class Masses>
-inline ContactForces contact_forces(const Kernel &kernel, double r, const Geometry &geometry,
-                                    double weight, const Rate &rate_law,
-                                    const Tangential &tangential, double *state, bool advance,
-                                    double spin_share, Motion &&motion, Masses &&masses)
+POTDEM_FUNCTION inline ContactForces
+contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double weight,
+               const Rate &rate_law, const Tangential &tangential, double *state, bool advance,
+               double spin_share, Motion &&motion, Masses &&masses)
 {
   ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {0.0, 0.0, 0.0}};
   double normal = found.elastic.force;
@@ -87,9 +89,10 @@ inline ContactForces contact_forces(const Kernel &kernel, double r, const Geomet
 
 // its tangent, for the critical step, at the distance r along n. spin_share as above
 template <class Kernel, class Geometry, class Rate, class Tangential>
-Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry, double weight,
-                      const Rate &rate_law, const Tangential &tangential, double spin_share,
-                      const double *n)
+POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry,
+                                      double weight, const Rate &rate_law,
+                                      const Tangential &tangential, double spin_share,
+                                      const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
   Spring spring{{n[0], n[1], n[2]},

@@ -13,6 +13,8 @@
 #ifndef POTDEM_KINEMATICS_H
 #define POTDEM_KINEMATICS_H
 
+#include "core/laws/device.h"
+
 namespace POTDEM {
 
 struct ContactMotion {
@@ -21,19 +23,20 @@ struct ContactMotion {
   double spin[3];
 };
 
-inline double dot(const double *a, const double *b)
+POTDEM_FUNCTION inline double dot(const double *a, const double *b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 // dr/dt
-inline double rate_of_distance(const ContactMotion &at)
+POTDEM_FUNCTION inline double rate_of_distance(const ContactMotion &at)
 {
   return dot(at.v, at.del) / at.r;
 }
 
 // of the first surface over the second
-template <bool SPIN> inline void sliding_velocity(const ContactMotion &at, double *u)
+template <bool SPIN>
+POTDEM_FUNCTION inline void sliding_velocity(const ContactMotion &at, double *u)
 {
   const double along = dot(at.v, at.del) / (at.r * at.r);
   for (int k = 0; k < 3; k++) u[k] = at.v[k] - along * at.del[k];
@@ -44,7 +47,7 @@ template <bool SPIN> inline void sliding_velocity(const ContactMotion &at, doubl
 }
 
 // of a force f on the first at the contact: the torque on either body is its lever times this
-inline void torque_over_lever(const double *del, const double *f, double *torque)
+POTDEM_FUNCTION inline void torque_over_lever(const double *del, const double *f, double *torque)
 {
   torque[0] = f[1] * del[2] - f[2] * del[1];
   torque[1] = f[2] * del[0] - f[0] * del[2];

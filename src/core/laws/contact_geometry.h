@@ -12,6 +12,8 @@
 #ifndef POTDEM_CONTACT_GEOMETRY_H
 #define POTDEM_CONTACT_GEOMETRY_H
 
+#include "device.h"
+
 namespace POTDEM {
 
 struct ContactGeometry {
@@ -21,8 +23,11 @@ struct ContactGeometry {
   double
       contact;    // distance of first contact: dbar, or less for a pair whose bond failed within reach
 
-  double dbar() const { return ri + rj; }                            // mean diameter
-  double effective_radius() const { return ri * rj / (ri + rj); }    // d*/2 of eq. 5.15
+  POTDEM_FUNCTION double dbar() const { return ri + rj; }    // mean diameter
+  POTDEM_FUNCTION double effective_radius() const
+  {
+    return ri * rj / (ri + rj);
+  }    // d*/2 of eq. 5.15
 };
 
 struct WallGeometry {
@@ -31,12 +36,12 @@ struct WallGeometry {
   double ri;         // radius
   double contact;    // distance of first contact, of the centre from the surface
 
-  double dbar() const { return ri; }
-  double effective_radius() const { return ri; }
+  POTDEM_FUNCTION double dbar() const { return ri; }
+  POTDEM_FUNCTION double effective_radius() const { return ri; }
 };
 
 // stiffness of two different springs, or modulus of two half trusses, in series (eq. 3.8)
-inline double series_modulus(double Ei, double Ej)
+POTDEM_FUNCTION inline double series_modulus(double Ei, double Ej)
 {
   return 2.0 * Ei * Ej / (Ei + Ej);
 }

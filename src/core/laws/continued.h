@@ -8,12 +8,13 @@
 #ifndef POTDEM_CONTINUED_H
 #define POTDEM_CONTINUED_H
 
+#include "device.h"
 #include "evaluation.h"
 
 namespace POTDEM {
 
 // law: s -> Evaluation
-template <class Law> Evaluation continued(double s, double least, const Law &law)
+template <class Law> POTDEM_FUNCTION Evaluation continued(double s, double least, const Law &law)
 {
   if (s >= least) return law(s);
   const auto edge = law(least);

@@ -9,6 +9,8 @@
 #ifndef POTDEM_CUNDALL_H
 #define POTDEM_CUNDALL_H
 
+#include "device.h"
+
 #include <cmath>
 
 namespace POTDEM {
@@ -17,9 +19,9 @@ struct Cundall {
   double lambda;
   bool by_component;
 
-  static double sign(double value) { return (value > 0.0) - (value < 0.0); }
+  POTDEM_FUNCTION static double sign(double value) { return (value > 0.0) - (value < 0.0); }
 
-  void force(const double *f, const double *v, double *damping) const
+  POTDEM_FUNCTION void force(const double *f, const double *v, double *damping) const
   {
     const double along = sign(f[0] * v[0] + f[1] * v[1] + f[2] * v[2]);
     for (int k = 0; k < 3; k++)
@@ -27,7 +29,7 @@ struct Cundall {
   }
 
   // a force is raised by this factor at most, as it would be by a smaller mass
-  double amplification() const { return 1.0 + lambda; }
+  POTDEM_FUNCTION double amplification() const { return 1.0 + lambda; }
 };
 
 }    // namespace POTDEM

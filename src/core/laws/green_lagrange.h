@@ -13,6 +13,8 @@
 #ifndef POTDEM_GREEN_LAGRANGE_H
 #define POTDEM_GREEN_LAGRANGE_H
 
+#include "device.h"
+
 namespace POTDEM {
 
 class StrainFit {
@@ -23,7 +25,7 @@ class StrainFit {
   int bonds = 0;
 
   // del: the bond in the reference state, of any length
-  void add(const double *del, double strain)
+  POTDEM_FUNCTION void add(const double *del, double strain)
   {
     const double d2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
     const double row[6] = {del[0] * del[0] / d2,          del[1] * del[1] / d2,
@@ -38,7 +40,8 @@ class StrainFit {
 
   // values, vectors: of the matrix, the largest first. The strain of least norm among those that fit best; returns in how
   // many of six directions the bonds say something: where a value is not above `singular` of the largest they do not
-  int solve(const double *values, const double (*vectors)[6], double singular, double *strain) const
+  POTDEM_FUNCTION int solve(const double *values, const double (*vectors)[6], double singular,
+                            double *strain) const
   {
     int rank = 0;
     for (int a = 0; a < 6; a++) strain[a] = 0.0;

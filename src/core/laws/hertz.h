@@ -16,6 +16,7 @@
 
 #include "coefficients.h"
 #include "contact_geometry.h"
+#include "device.h"
 #include "evaluation.h"
 
 #include <cmath>
@@ -23,13 +24,13 @@
 namespace POTDEM {
 
 // Ebar
-inline double contact_modulus(double Ei, double nui, double Ej, double nuj)
+POTDEM_FUNCTION inline double contact_modulus(double Ei, double nui, double Ej, double nuj)
 {
   return 1.0 / ((1.0 - nui * nui) / Ei + (1.0 - nuj * nuj) / Ej);
 }
 
 // w^(3/2) law with prefactor K
-inline Evaluation hertz(double w, double K)
+POTDEM_FUNCTION inline Evaluation hertz(double w, double K)
 {
   const double root = std::sqrt(w);
   return {0.4 * K * w * w * root, K * w * root, 1.5 * K * root};
@@ -56,14 +57,18 @@ struct Hertz {
     return {2.0 * modulus, 0.0, modulus};
   }
 
-  static double reach(double dbar) { return dbar; }
+  POTDEM_FUNCTION static double reach(double dbar) { return dbar; }
 
   struct Kernel {
     double modulus;
 
-    template <class Geometry> static constexpr double hard_core(const Geometry &) { return 0.0; }
+    template <class Geometry> POTDEM_FUNCTION static constexpr double hard_core(const Geometry &)
+    {
+      return 0.0;
+    }
 
-    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
+    template <class Geometry>
+    POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
       if (r >= at.contact) return {0.0, 0.0, 0.0};
       return hertz(at.contact - r, 4.0 / 3.0 * modulus * std::sqrt(at.effective_radius()));

@@ -17,6 +17,7 @@
 #ifndef POTDEM_HERTZ_WALL_H
 #define POTDEM_HERTZ_WALL_H
 
+#include "device.h"
 #include "hertz.h"
 
 namespace POTDEM {
@@ -52,21 +53,21 @@ struct HertzWall {
 
   void complete() { modulus = contact_modulus(particle_E, particle_nu, E, nu); }
 
-  double reach(double ri) const { return ri + layer * ri; }
+  POTDEM_FUNCTION double reach(double ri) const { return ri + layer * ri; }
 
   struct Kernel {
     double modulus, layer, m;
 
-    static constexpr double hard_core(const WallGeometry &) { return 0.0; }
+    POTDEM_FUNCTION static constexpr double hard_core(const WallGeometry &) { return 0.0; }
 
-    Evaluation evaluate(double r, const WallGeometry &at) const
+    POTDEM_FUNCTION Evaluation evaluate(double r, const WallGeometry &at) const
     {
       if (r >= at.contact) return {0.0, 0.0, 0.0};
       return at_overlap(at.contact - r, at.ri);
     }
 
     // w >= 0
-    Evaluation at_overlap(double w, double ri) const
+    POTDEM_FUNCTION Evaluation at_overlap(double w, double ri) const
     {
       const double gamma = layer * ri, K = 4.0 / 3.0 * modulus * std::sqrt(ri);
       auto found = hertz(w, K);
@@ -81,10 +82,10 @@ struct HertzWall {
 
    private:
     // integral of w^(3/2 + 1/m) over that of w^(3/2)
-    double layer_share() const { return 2.5 / (2.5 + 1.0 / m); }
+    POTDEM_FUNCTION double layer_share() const { return 2.5 / (2.5 + 1.0 / m); }
 
     // no pow for the exponents in use
-    double root(double t) const
+    POTDEM_FUNCTION double root(double t) const
     {
       if (m == 2.0) return std::sqrt(t);
       if (m == 1.0) return t;

@@ -10,14 +10,17 @@
      integral_1^x c eps dt = (x-1)^2 (x+2)/6  -  ln(x)/m  +  S(x),
      S'(x) = (x^2 - 1)/((1+x)^m - 1) + 1/(m x)      bounded on x >= 0
 
-   S is tabulated once per m by Gauss-Legendre quadrature and interpolated with cubic Hermite
+   S is tabulated once per m (on a host) by Gauss-Legendre quadrature and interpolated with cubic Hermite
    polynomials (exact slopes at the nodes): relative error of the energy below 1e-10 on
    0 < x <= x_table; beyond it the quadrature is done directly. */
 
 #ifndef POTDEM_PENETRATION_H
 #define POTDEM_PENETRATION_H
 
+#include "device.h"
+
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace POTDEM {
@@ -29,22 +32,22 @@ class Penetration {
   Penetration() = default;
 
   Penetration(int exponent, bool normalized) :
-      m(exponent), scale(normalized ? (power(2.0) - 1.0) / (power(2.0) + 1.0) : 1.0)
+      m(exponent), scale(normalized ? (power(2.0) - 1.0) / (power(2.0) + 1.0) : 1.0),
+      table(table_of(exponent).data())
   {
-    table.resize(nodes + 1);
-    double sum = 0.0;
-    for (int k = anchor; k < nodes; k++) {
-      table[k] = sum;
-      sum += quadrature(k * step, (k + 1) * step);
-    }
-    table[nodes] = sum;
-    for (int k = anchor - 1; k >= 0; k--)
-      table[k] = table[k + 1] - quadrature(k * step, (k + 1) * step);
   }
 
-  double value(double x) const { return scale * (1.0 + 2.0 / (power(1.0 + x) - 1.0)); }
+  // S at the nodes, for a device that has a copy of its own
+  static constexpr int nodes = 4096;
+  const double *tabulated() const { return table; }
+  void use(const double *copy) { table = copy; }
 
-  double slope(double x) const
+  POTDEM_FUNCTION double value(double x) const
+  {
+    return scale * (1.0 + 2.0 / (power(1.0 + x) - 1.0));
+  }
+
+  POTDEM_FUNCTION double slope(double x) const
   {
     const double y = 1.0 + x;
     const double p = power(y) - 1.0;
@@ -52,7 +55,7 @@ class Penetration {
   }
 
   // integral of c eps from 1 to x
-  double integral(double x) const
+  POTDEM_FUNCTION double integral(double x) const
   {
     const double dx = x - 1.0;
     if (std::fabs(dx) < small) return small_integral(dx);
@@ -61,7 +64,6 @@ class Penetration {
 
  private:
   static constexpr double x_table = 4.0;
-  static constexpr int nodes = 4096;
   static constexpr int anchor = nodes / 4;    // the node at x = 1, where S = 0
   static constexpr double step = x_table / nodes;
   // next to x = 1 the energy is of second order and the table's absolute error would show
@@ -69,9 +71,34 @@ class Penetration {
 
   int m = 0;
   double scale = 1.0;
-  std::vector<double> table;
+  const double *table = nullptr;    // S at the nodes
 
-  double power(double y) const
+  // one for each exponent, for as long as the program runs
+  static const std::vector<double> &table_of(int exponent)
+  {
+    static std::map<int, std::vector<double>> tables;
+    auto &table = tables[exponent];
+    if (table.empty()) table = Penetration(exponent).tabulate();
+    return table;
+  }
+
+  explicit Penetration(int exponent) : m(exponent) {}
+
+  std::vector<double> tabulate() const
+  {
+    std::vector<double> nodal(nodes + 1);
+    double sum = 0.0;
+    for (int k = anchor; k < nodes; k++) {
+      nodal[k] = sum;
+      sum += quadrature(k * step, (k + 1) * step);
+    }
+    nodal[nodes] = sum;
+    for (int k = anchor - 1; k >= 0; k--)
+      nodal[k] = nodal[k + 1] - quadrature(k * step, (k + 1) * step);
+    return nodal;
+  }
+
+  POTDEM_FUNCTION double power(double y) const
   {
     double p = 1.0;
     for (int k = 0; k < m; k++) p *= y;
@@ -79,7 +106,7 @@ class Penetration {
   }
 
   // S'(x); its two singular terms cancel at x = 0, where the limit is (m - 1)/(2 m)
-  double smooth_slope(double x) const
+  POTDEM_FUNCTION double smooth_slope(double x) const
   {
     if (x < 1e-4) return (m - 1.0) / (2.0 * m) + x * series_slope();
     return (x * x - 1.0) / (power(1.0 + x) - 1.0) + 1.0 / (m * x);
@@ -87,10 +114,10 @@ class Penetration {
 
   // first-order coefficient of S' about x = 0, from 1/((1+x)^m - 1) = 1/(m x) - (m-1)/(2m)
   // + (m^2-1)/(12 m) x + O(x^2)
-  double series_slope() const { return 1.0 / m - (m * m - 1.0) / (12.0 * m); }
+  POTDEM_FUNCTION double series_slope() const { return 1.0 / m - (m * m - 1.0) / (12.0 * m); }
 
   // Gauss-Legendre, five points
-  template <class Function> static double gauss(double a, double b, Function f)
+  template <class Function> POTDEM_FUNCTION static double gauss(double a, double b, Function f)
   {
     constexpr double at[] = {0.0, 0.5384693101056831, 0.9061798459386640};
     constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -100,7 +127,7 @@ class Penetration {
     return half * sum;
   }
 
-  double quadrature(double a, double b) const
+  POTDEM_FUNCTION double quadrature(double a, double b) const
   {
     return gauss(a, b, [this](double x) {
       return smooth_slope(x);
@@ -108,14 +135,14 @@ class Penetration {
   }
 
   // in dx = x - 1, so that nothing cancels
-  double small_integral(double dx) const
+  POTDEM_FUNCTION double small_integral(double dx) const
   {
     return gauss(0.0, dx, [this](double u) {
       return value(1.0 + u) * u * (1.0 + 0.5 * u);
     });
   }
 
-  double smooth(double x) const
+  POTDEM_FUNCTION double smooth(double x) const
   {
     if (x >= x_table) {
       const int pieces = 64 + static_cast<int>(16.0 * (x - x_table));

@@ -4,6 +4,8 @@
 #ifndef POTDEM_POWER_H
 #define POTDEM_POWER_H
 
+#include "device.h"
+
 #include <cmath>
 
 namespace POTDEM {
@@ -17,7 +19,7 @@ class Power {
   {
   }
 
-  double operator()(double x) const
+  POTDEM_FUNCTION double operator()(double x) const
   {
     if (general) return std::exp(n * std::log(x));
     double power = half ? std::sqrt(x) : 1.0;

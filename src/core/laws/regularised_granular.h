@@ -13,6 +13,7 @@
 #include "coefficients.h"
 #include "contact_geometry.h"
 #include "continued.h"
+#include "device.h"
 #include "evaluation.h"
 #include "power.h"
 
@@ -52,23 +53,24 @@ struct RegularisedGranular {
   static constexpr double faded = 1e-3;
   static double default_cut(double n) { return std::pow(faded, -1.0 / n); }
 
-  double reach(double dbar) const { return (1.0 + (cut - 1.0) * alpha) * dbar; }
+  POTDEM_FUNCTION double reach(double dbar) const { return (1.0 + (cut - 1.0) * alpha) * dbar; }
 
   struct Kernel {
     double K0, n, alpha, cut, least;
     double tail;    // energy at the cut over that at first contact, 0: no shift
     Power power;
 
-    template <class Geometry> double r0(const Geometry &at) const
+    template <class Geometry> POTDEM_FUNCTION double r0(const Geometry &at) const
     {
       return at.contact - alpha * at.dbar();
     }
-    template <class Geometry> double hard_core(const Geometry &at) const
+    template <class Geometry> POTDEM_FUNCTION double hard_core(const Geometry &at) const
     {
       return least > 0.0 ? 0.0 : r0(at);
     }
 
-    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
+    template <class Geometry>
+    POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
       const double first = alpha * at.dbar(), s = r - r0(at);
       if (s >= cut * first) return {0.0, 0.0, 0.0};
@@ -77,7 +79,7 @@ struct RegularisedGranular {
       });
     }
 
-    Evaluation law_at(double s, double first) const
+    POTDEM_FUNCTION Evaluation law_at(double s, double first) const
     {
       const double t = first / s, p = power(t);
       const double force = K0 * first / n * p;

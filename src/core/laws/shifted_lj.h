@@ -14,6 +14,7 @@
 #include "coefficients.h"
 #include "contact_geometry.h"
 #include "continued.h"
+#include "device.h"
 #include "evaluation.h"
 #include "power.h"
 
@@ -55,22 +56,22 @@ struct ShiftedLJ {
     return R * std::pow((2.0 * n + 1.0) / (n + 1.0), 1.0 / n);
   }
 
-  double reach(double dbar) const { return (1.0 - alpha) * dbar + cut; }
+  POTDEM_FUNCTION double reach(double dbar) const { return (1.0 - alpha) * dbar + cut; }
 
   struct Kernel {
     double D, R, n, alpha, cut, least, offset;
     Power power;
 
-    template <class Geometry> double r0(const Geometry &at) const
+    template <class Geometry> POTDEM_FUNCTION double r0(const Geometry &at) const
     {
       return at.contact - alpha * at.dbar();
     }
-    template <class Geometry> double hard_core(const Geometry &at) const
+    template <class Geometry> POTDEM_FUNCTION double hard_core(const Geometry &at) const
     {
       return least > 0.0 ? 0.0 : r0(at);
     }
 
-    Evaluation law_at(double s) const
+    POTDEM_FUNCTION Evaluation law_at(double s) const
     {
       const double p = power(R / s);
       const double slope = 2.0 * D * n / s;
@@ -78,7 +79,8 @@ struct ShiftedLJ {
               slope / s * p * ((2.0 * n + 1.0) * p - (n + 1.0))};
     }
 
-    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
+    template <class Geometry>
+    POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
       const double s = r - r0(at);
       if (s >= cut) return {0.0, 0.0, 0.0};

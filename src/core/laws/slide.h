@@ -15,6 +15,8 @@
 #ifndef POTDEM_SLIDE_H
 #define POTDEM_SLIDE_H
 
+#include "device.h"
+
 namespace POTDEM {
 
 struct Slide {
@@ -32,7 +34,7 @@ constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;
 
 // mass that a tangential force at the surface accelerates there, over the particle's: 1/(1/m + a^2/I) with
 // arm = a/r, inertia = I/(m r^2); 2/7 for a solid sphere, 1/3 for a disc
-constexpr double sliding_mass(double arm, double inertia)
+POTDEM_FUNCTION constexpr double sliding_mass(double arm, double inertia)
 {
   return 1.0 / (1.0 + arm * arm / inertia);
 }

@@ -17,6 +17,7 @@
 #define POTDEM_SLIDING_H
 
 #include "coefficients.h"
+#include "device.h"
 #include "slide.h"
 
 #include <cmath>
@@ -46,20 +47,20 @@ struct Sliding {
   }
 
   // Coulomb friction against a force `stop` that would end the sliding within the step: its share
-  double share(double stop, double normal_force) const
+  POTDEM_FUNCTION double share(double stop, double normal_force) const
   {
     const double limit = mu * std::fabs(normal_force);
     return stop <= limit ? 1.0 : limit / stop;
   }
 
   // the factor b of T = -b u
-  double factor(double speed, double normal_force, double viscosity) const
+  POTDEM_FUNCTION double factor(double speed, double normal_force, double viscosity) const
   {
     const double limit = mu * std::fabs(normal_force);
     return viscosity * speed <= limit ? viscosity : limit / speed;
   }
 
-  void force(const Slide &at, double * /*state*/, double *f) const
+  POTDEM_FUNCTION void force(const Slide &at, double * /*state*/, double *f) const
   {
     const double speed = std::sqrt(at.u[0] * at.u[0] + at.u[1] * at.u[1] + at.u[2] * at.u[2]);
     const double b =
@@ -68,7 +69,10 @@ struct Sliding {
   }
 
   // 'auto' follows the step and does not limit it
-  double viscosity(double mass_share) const { return automatic != 0.0 ? 0.0 : eta / mass_share; }
+  POTDEM_FUNCTION double viscosity(double mass_share) const
+  {
+    return automatic != 0.0 ? 0.0 : eta / mass_share;
+  }
 };
 
 }    // namespace POTDEM

@@ -14,6 +14,7 @@
 #define POTDEM_VISCOUS_H
 
 #include "coefficients.h"
+#include "device.h"
 
 namespace POTDEM {
 
@@ -26,7 +27,7 @@ struct Viscous {
                       setting("attract", &Viscous::attract)};
   }
 
-  bool active() const { return H > 0.0; }
+  POTDEM_FUNCTION bool active() const { return H > 0.0; }
 
   static Viscous mixed(const Viscous &a, const Viscous &b)
   {
@@ -34,14 +35,17 @@ struct Viscous {
   }
 
   // total force; rate: of the distance, so that -rate is that of the overlap
-  double total(double elastic, double overlap, double rate) const
+  POTDEM_FUNCTION double total(double elastic, double overlap, double rate) const
   {
     const double sum = elastic * (1.0 - H * rate / overlap);
     return attract != 0.0 || sum > 0.0 ? sum : 0.0;
   }
 
   // force over velocity
-  double viscosity(double elastic, double overlap) const { return elastic * H / overlap; }
+  POTDEM_FUNCTION double viscosity(double elastic, double overlap) const
+  {
+    return elastic * H / overlap;
+  }
 };
 
 }    // namespace POTDEM

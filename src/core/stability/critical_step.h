@@ -13,11 +13,13 @@
 #ifndef POTDEM_CRITICAL_STEP_H
 #define POTDEM_CRITICAL_STEP_H
 
+#include "core/laws/device.h"
+
 #include <cmath>
 
 namespace POTDEM {
 
-inline double critical_step(double k, double c)
+POTDEM_FUNCTION inline double critical_step(double k, double c)
 {
   return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
 }
