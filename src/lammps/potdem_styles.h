@@ -1,6 +1,6 @@
 /* The one registration table. LAMMPS includes this file among its own style headers (package compiled
    in), plugin.cpp includes it with macros of its own (plugin). A new style is one line in its block
-   and one include below. */
+   and one include below; a new law is a row in core/laws/law_list.h instead. */
 
 // clang-format off
 #ifdef PAIR_CLASS
@@ -10,8 +10,11 @@
 CONTACT_LAWS(POTDEM_PAIR_STYLE)
 #undef POTDEM_PAIR_STYLE
 #elif defined(BOND_CLASS)
-BondStyle(potdem/truss,BondPotdemTruss);
-BondStyle(potdem/truss/omp,BondPotdemTrussOMP);
+#define POTDEM_BOND_STYLE(name, Law) \
+  BondStyle(potdem/name,BondPotdem<POTDEM::Law>); \
+  BondStyle(potdem/name/omp,BondPotdemOMP<POTDEM::Law>);
+BOND_LAWS(POTDEM_BOND_STYLE)
+#undef POTDEM_BOND_STYLE
 #elif defined(FIX_CLASS)
 FixStyle(potdem/damping,FixPotdemDamping);
 FixStyle(potdem/failure,FixPotdemFailure);
@@ -35,8 +38,8 @@ CommandStyle(potdem_material,PotdemMaterial);
 // clang-format on
 #ifndef LMP_POTDEM_STYLES_H
 #define LMP_POTDEM_STYLES_H
-#include "lammps/bond/bond_potdem_truss.h"
-#include "lammps/bond/bond_potdem_truss_omp.h"
+#include "lammps/bond/bond_potdem.h"
+#include "lammps/bond/bond_potdem_omp.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
 #include "lammps/bond/fix_potdem_failure.h"
 #include "lammps/bond/potdem_bonds.h"

@@ -29,10 +29,33 @@ double strain_of(double x)
   return e + 0.5 * e * e;
 }
 
+// without the factor of penetration, and with it
+Evaluation truss(double r)
+{
+  return Truss{modulus, 0, 0}.kernel().evaluate(r, re, modulus);
+}
+
+Truss::Kernel truss(int m, bool normalized)
+{
+  return Truss{modulus, static_cast<double>(m), normalized ? 1.0 : 0.0}.kernel();
+}
+
 TEST(Truss, ForceIsGreenLagrangeStrainTimesModulus)
 {
   for (const double x : stretches)
-    EXPECT_NEAR(truss(x * re, re, modulus).force, -modulus * strain_of(x), 1e-13 * modulus);
+    EXPECT_NEAR(truss(x * re).force, -modulus * strain_of(x), 1e-13 * modulus);
+}
+
+// what the loop over bonds takes, and what all others do
+TEST(Truss, LoadIsStressOverHalfTheModulus)
+{
+  for (const int m : {0, 1, 4})
+    for (const double x : stretches) {
+      const auto kernel = truss(m, false);
+      const double force = kernel.evaluate(x * re, re, modulus).force;
+      EXPECT_NEAR(0.5 * modulus * kernel.load(x * x), -force, 1e-13 * (modulus + std::fabs(force)));
+      EXPECT_EQ(kernel.load<false>(x * x), x * x - 1.0);
+    }
 }
 
 TEST(Truss, EnergyForceAndStiffnessBelongTogether)
@@ -40,14 +63,14 @@ TEST(Truss, EnergyForceAndStiffnessBelongTogether)
   for (const double x : stretches)
     reference::expect_derivatives(
         [](double r) {
-          return truss(r, re, modulus);
+          return truss(r);
         },
         x * re, 0.1 * x * re);
 }
 
 TEST(Truss, AtRestNothing)
 {
-  const auto rest = truss(re, re, modulus);
+  const auto rest = truss(re);
   EXPECT_EQ(rest.energy, 0.0);
   EXPECT_EQ(rest.force, 0.0);
   EXPECT_DOUBLE_EQ(rest.stiffness, modulus / re);
@@ -56,7 +79,7 @@ TEST(Truss, AtRestNothing)
 // without the factor a crushed truss loses its stiffness and stays finite: what the factor is for
 TEST(Truss, CrushedWithoutFactorStaysFinite)
 {
-  const auto crushed = truss(1e-12 * re, re, modulus);
+  const auto crushed = truss(1e-12 * re);
   EXPECT_NEAR(crushed.force, 0.5 * modulus, 1e-9 * modulus);
   EXPECT_NEAR(crushed.energy, modulus * re / 3.0, 1e-9 * modulus * re);    // integral of (1-x^2)/2
 }
@@ -165,11 +188,11 @@ TEST(Penetration, EnergyForceAndStiffnessBelongTogether)
 {
   for (const int m : exponents)
     for (const bool normalized : {false, true}) {
-      const Penetration factor(m, normalized);
+      const auto kernel = truss(m, normalized);
       for (const double x : stretches)
         reference::expect_derivatives(
             [&](double r) {
-              return truss(r, re, modulus, factor);
+              return kernel.evaluate(r, re, modulus);
             },
             x * re, re * std::fmin(x, 1.0 / m), 1.0, 1e-7);
     }
@@ -178,10 +201,10 @@ TEST(Penetration, EnergyForceAndStiffnessBelongTogether)
 TEST(Penetration, TwoCentresCannotPass)
 {
   for (const int m : exponents) {
-    const Penetration factor(m, false);
+    const auto kernel = truss(m, false);
     double previous = 0.0;
     for (const double x : {1e-1, 1e-2, 1e-4, 1e-8, 1e-12}) {
-      const auto at = truss(x * re, re, modulus, factor);
+      const auto at = kernel.evaluate(x * re, re, modulus);
       EXPECT_GT(at.force, previous);    // repels, and without bound
       EXPECT_TRUE(std::isfinite(at.force));
       EXPECT_GT(at.energy, 0.0);
@@ -189,7 +212,7 @@ TEST(Penetration, TwoCentresCannotPass)
       previous = at.force;
     }
     // F -> A E/(m x): what remains is of relative order x
-    EXPECT_NEAR(truss(1e-6 * re, re, modulus, factor).force, modulus / (m * 1e-6),
+    EXPECT_NEAR(kernel.evaluate(1e-6 * re, re, modulus).force, modulus / (m * 1e-6),
                 1e-4 * modulus / (m * 1e-6));
   }
 }
@@ -197,9 +220,9 @@ TEST(Penetration, TwoCentresCannotPass)
 TEST(Penetration, StiffnessIsPositiveEverywhere)
 {
   for (int m = 1; m <= 64; m++) {
-    const Penetration factor(m, false);
+    const auto kernel = truss(m, false);
     for (double x = 0.01; x < 5.0; x += 0.01)
-      EXPECT_GT(truss(x * re, re, modulus, factor).stiffness, 0.0) << m << " " << x;
+      EXPECT_GT(kernel.evaluate(x * re, re, modulus).stiffness, 0.0) << m << " " << x;
   }
 }
 

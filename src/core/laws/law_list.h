@@ -12,6 +12,7 @@
 #include "regularised_granular.h"
 #include "shifted_lj.h"
 #include "sliding.h"
+#include "truss.h"
 #include "truss_contact.h"
 
 // clang-format off
@@ -22,6 +23,10 @@
   X(hertz, Hertz) \
   X(lj, ShiftedLJ) \
   X(truss, TrussContact)
+
+// X(name, Law): bond_style potdem/NAME
+#define BOND_LAWS(X) \
+  X(truss, Truss)
 
 // X(Law): 'friction mu KEYWORD ...' of both; the first has no keyword
 #define TANGENTIAL_LAWS(X) \
@@ -39,7 +44,18 @@ template <class Law> constexpr const char *law_name();
     return #name;                                   \
   }
 CONTACT_LAWS(POTDEM_NAME_OF_LAW)
+BOND_LAWS(POTDEM_NAME_OF_LAW)
 #undef POTDEM_NAME_OF_LAW
+
+// numbers that a bond keeps: those of the law with most
+constexpr int most_bond_state()
+{
+  int most = 0;
+#define POTDEM_STATE_OF_LAW(name, Law) most = Law::STATE > most ? Law::STATE : most;
+  BOND_LAWS(POTDEM_STATE_OF_LAW)
+#undef POTDEM_STATE_OF_LAW
+  return most;
+}
 
 }    // namespace POTDEM
 

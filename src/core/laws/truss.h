@@ -13,6 +13,7 @@
 #ifndef POTDEM_TRUSS_H
 #define POTDEM_TRUSS_H
 
+#include "coefficients.h"
 #include "evaluation.h"
 #include "penetration.h"
 
@@ -33,24 +34,49 @@ inline double truss_strain(double q)
   return 0.5 * (q - 1.0);
 }
 
-// modulus: A E; re: reference length
-inline Evaluation truss(double r, double re, double modulus)
-{
-  const double x = r / re;
-  const double dx = x - 1.0;
-  return {modulus * re * dx * dx * (x + 2.0) / 6.0, -modulus * truss_strain(x * x),
-          modulus * x / re};
-}
+struct Truss {
+  static constexpr int STATE = 0;
+  static constexpr bool optional_penetration = true;
 
-// the same with the non-penetration factor
-inline Evaluation truss(double r, double re, double modulus, const Penetration &factor)
-{
-  const double x = r / re;
-  const double eps = truss_strain(x * x);
-  const double c = factor.value(x);
-  return {modulus * re * factor.integral(x), -modulus * c * eps,
-          modulus / re * (c * x + factor.slope(x) * eps)};
-}
+  double E, m, normalized;    // m = 0: no non-penetration factor
+
+  static constexpr auto coefficients()
+  {
+    return std::array{required("E", &Truss::E, positive(), "stress").from(FROM_MATERIAL),
+                      option("penetration", "m", &Truss::m, whole(MAX_PENETRATION), "1"),
+                      flag("normalized", &Truss::normalized)};
+  }
+
+  struct Kernel {
+    bool has_penetration = false;
+    Penetration factor;
+
+    // 2 c eps, the stress over E/2, from q = (r/re)^2. PENETRATION: some bond type has the factor
+    template <bool PENETRATION = true> double load(double q, double * /*state*/ = nullptr) const
+    {
+      const double load = q - 1.0;
+      return PENETRATION && has_penetration ? load * factor.value(std::sqrt(q)) : load;
+    }
+
+    // modulus: A E; re: reference length
+    Evaluation evaluate(double r, double re, double modulus,
+                        const double * /*state*/ = nullptr) const
+    {
+      const double x = r / re, dx = x - 1.0;
+      const double force = -0.5 * modulus * load(x * x);
+      if (!has_penetration)
+        return {modulus * re * dx * dx * (x + 2.0) / 6.0, force, modulus * x / re};
+      const double slope = factor.value(x) * x + factor.slope(x) * truss_strain(x * x);
+      return {modulus * re * factor.integral(x), force, modulus / re * slope};
+    }
+  };
+
+  Kernel kernel() const
+  {
+    if (m == 0.0) return {};
+    return {true, Penetration(static_cast<int>(m), normalized != 0.0)};
+  }
+};
 
 }    // namespace POTDEM
 

@@ -38,26 +38,18 @@ struct TrussContact {
 
   struct Kernel {
     double stress;    // E a
-    bool has_penetration;
-    Penetration factor;
+    Truss::Kernel truss;
 
     template <class Geometry> static constexpr double hard_core(const Geometry &) { return 0.0; }
 
     template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
     {
       if (r >= at.contact) return {0.0, 0.0, 0.0};
-      const double modulus = stress * truss_section(at.dbar());
-      return has_penetration ? truss(r, at.contact, modulus, factor)
-                             : truss(r, at.contact, modulus);
+      return truss.evaluate(r, at.contact, stress * truss_section(at.dbar()));
     }
   };
 
-  Kernel kernel(bool /*shift*/) const
-  {
-    const auto factor = m > 0.0 ? Penetration(static_cast<int>(m), normalized != 0.0)
-                                : Penetration();
-    return {E * a, m > 0.0, factor};
-  }
+  Kernel kernel(bool /*shift*/) const { return {E * a, Truss{E, m, normalized}.kernel()}; }
 
   // distance below which two particles of mean diameter dbar can interact
   static double reach(double dbar) { return dbar; }

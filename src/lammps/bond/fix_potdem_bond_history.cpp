@@ -26,7 +26,8 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 static constexpr char STORE_ID[] = "POTDEM_BONDS";
-static constexpr double RESTART_VERSION = 2.0;
+// of what the fix itself writes; a bond's memory has more columns if a law keeps something of each bond
+static constexpr double RESTART_VERSION = 2.0, RESTART_WITH_STATE = 3.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -42,15 +43,15 @@ FixPotdemBondHistory *FixPotdemBondHistory::create(LAMMPS *lmp)
     lmp->atom->bond_per_atom = 1;
     lmp->atom->avec->grow(lmp->atom->nmax);
   }
-  return dynamic_cast<FixPotdemBondHistory *>(lmp->modify->add_fix(
-      fmt::format("{} all POTDEM_BOND_HISTORY 0 {}", STORE_ID, static_cast<int>(NDATA))));
+  return dynamic_cast<FixPotdemBondHistory *>(
+      lmp->modify->add_fix(fmt::format("{} all POTDEM_BOND_HISTORY 0 {}", STORE_ID, NDATA)));
 }
 
-FixPotdemBondHistory *FixPotdemBondHistory::ensure(LAMMPS *lmp)
+FixPotdemBondHistory *FixPotdemBondHistory::ensure(LAMMPS *lmp, const std::string &who)
 {
   bool lost = false;
   for (const auto *bond : potdem_find<BondMemory>(lmp)) lost = lost || bond->lost_memory();
-  if (find(lmp) || lost) return get(lmp, "bond_style potdem/truss");
+  if (find(lmp) || lost) return get(lmp, who);
   return create(lmp);
 }
 
@@ -91,7 +92,42 @@ FixPotdemBondHistory::~FixPotdemBondHistory()
 
 int FixPotdemBondHistory::setmask()
 {
-  return POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+  const int lists = POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+  return NSTATE > 0 ? lists | PRE_EXCHANGE | MIN_PRE_EXCHANGE : lists;
+}
+
+// as LAMMPS has it for the memory of its pair styles
+void FixPotdemBondHistory::init()
+{
+  if (NSTATE == 0) return;
+  for (const auto *fix : modify->get_fix_list()) {
+    if (fix == this) return;
+    if (fix->pre_exchange_migrate)
+      error->all(
+          FLERR,
+          "Fix {} {} moves particles to other ranks before the bonds' memory {} is up to date: "
+          "define it after potdem_bonds",
+          fix->id, fix->style, id);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the bond styles have what laws keep of each bond in the order of their loop
+------------------------------------------------------------------------- */
+
+void FixPotdemBondHistory::pre_exchange()
+{
+  for (auto *const bond : potdem_find<BondMemory>(lmp)) bond->return_state();
+}
+
+void FixPotdemBondHistory::min_pre_exchange()
+{
+  pre_exchange();
+}
+
+void FixPotdemBondHistory::post_run()
+{
+  pre_exchange();
 }
 
 void FixPotdemBondHistory::setup_post_neighbor()
@@ -120,6 +156,7 @@ void FixPotdemBondHistory::store(int i, int m, double length, double section, do
   update_atom_value(i, m, LENGTH, length);
   update_atom_value(i, m, SECTION, section);
   update_atom_value(i, m, AREA, area);
+  std::fill_n(state(i, m), NSTATE, 0.0);
 }
 
 void FixPotdemBondHistory::store_area(int i, int m, double area)
@@ -249,13 +286,15 @@ void FixPotdemBondHistory::remove(int i, int m)
 
 /* ----------------------------------------------------------------------
    LAMMPS's restart files keep the communication cutoff, but not whose it is. The files of versions that kept failed bonds
-   in LAMMPS's list have one word here, which is 0 or 1: with this version those bonds would be whole again
+   in LAMMPS's list have one word here, which is 0 or 1: with this version those bonds would be whole again. Those whose
+   laws keep another number of values of each bond cannot be read
 ------------------------------------------------------------------------- */
 
 void FixPotdemBondHistory::write_restart(FILE *fp)
 {
-  const double state[2] = {RESTART_VERSION, ghost_cutoff};
-  const int size = sizeof(state);
+  pre_exchange();
+  const double state[3] = {NSTATE > 0 ? RESTART_WITH_STATE : RESTART_VERSION, ghost_cutoff, NSTATE};
+  const int size = (NSTATE > 0 ? 3 : 2) * sizeof(double);
   if (comm->me != 0) return;
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(state, size, 1, fp);
@@ -264,11 +303,18 @@ void FixPotdemBondHistory::write_restart(FILE *fp)
 void FixPotdemBondHistory::restart(char *buf)
 {
   const auto state = reinterpret_cast<const double *>(buf);
-  if (state[0] != RESTART_VERSION)
+  if (state[0] != RESTART_VERSION && state[0] != RESTART_WITH_STATE)
     error->all(FLERR,
                "The restart file was written by a version of POTDEM that kept failed bonds in it; "
                "continue it with "
                "that version, or begin anew");
+  const double nstate = state[0] == RESTART_WITH_STATE ? state[2] : 0.0;
+  if (nstate != NSTATE)
+    error->all(
+        FLERR,
+        "The restart file was written by a version of POTDEM whose laws keep {} values of each "
+        "bond, here they keep {}; continue it with that version",
+        nstate, NSTATE);
   ghost_cutoff = state[1];
 }
 

@@ -3,13 +3,14 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* What a bond remembers: its reference length and its section, in LAMMPS's own FixBondHistory (which
-   carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's lists.
-   Created by potdem_bonds or bond_style potdem/truss, one per simulation. */
+/* What a bond remembers: its reference length, its section and what its law keeps of it, in LAMMPS's own FixBondHistory
+   (which carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's
+   lists. Created by potdem_bonds or a bond style, one per simulation. */
 
 #ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
 #define LMP_FIX_POTDEM_BOND_HISTORY_H
 
+#include "core/laws/law_list.h"
 #include "lammps/glue/interfaces.h"
 
 #include "fix_bond_history.h"
@@ -23,17 +24,24 @@ class FixPotdemBondHistory : public FixBondHistory {
  public:
   // columns. LENGTH: reference length; 0: not measured yet.
   // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
-  // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again
-  enum { LENGTH, SECTION, AREA, NDATA };
+  // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again.
+  // STATE: the first of those that laws keep, all 0 at first
+  enum { LENGTH, SECTION, AREA, STATE };
+  static constexpr int NSTATE = POTDEM::most_bond_state(), NDATA = STATE + NSTATE;
 
   static FixPotdemBondHistory *find(LAMMPS *);
   static FixPotdemBondHistory *create(LAMMPS *);
-  static FixPotdemBondHistory *ensure(LAMMPS *);    // error if there was one that is gone
+  // error if there was one that is gone; who: the style, for errors
+  static FixPotdemBondHistory *ensure(LAMMPS *, const std::string &who = "bond_style potdem/truss");
   static FixPotdemBondHistory *get(LAMMPS *, const std::string &who);    // error if there is none
 
   FixPotdemBondHistory(LAMMPS *, int, char **);
   ~FixPotdemBondHistory() override;
   int setmask() override;
+  void init() override;
+  void pre_exchange() override;
+  void min_pre_exchange() override;
+  void post_run() override;
   void setup_post_neighbor() override;
   void post_neighbor() override;
   void min_post_neighbor() override;
@@ -44,8 +52,8 @@ class FixPotdemBondHistory : public FixBondHistory {
   void store_area(int i, int slot, double area);
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
-
   double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
+  double *state(int i, int slot) const { return &values()[i][slot * NDATA + STATE]; }
 
   bool is_new(int i, int slot) const;    // a live bond without a reference length
   bool has_new_bonds() const;            // on this rank

@@ -16,13 +16,12 @@
 #include "lammps/bond/fix_potdem_failure.h"
 
 #include "core/laws/truss.h"
-#include "lammps/bond/bond_potdem_truss.h"
 #include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/bond/potdem_bond_strengths.h"
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_material_input.h"
-#include "lammps/pair/fix_potdem_contacts.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -49,7 +48,7 @@ static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
 
 FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
-    ntension(0.0), ncompression(0.0), lost_energy(0.0), bond(nullptr), history(nullptr), maxrows(0)
+    ntension(0.0), ncompression(0.0), lost_energy(0.0), bonds(nullptr), history(nullptr), maxrows(0)
 {
   PotdemMaterialInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
@@ -116,8 +115,7 @@ int FixPotdemFailure::setmask()
 
 void FixPotdemFailure::init()
 {
-  bond = BondPotdemTruss::find(lmp);
-  if (!bond) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
+  find_bonds();
   for (const auto &other : modify->get_fix_by_style("^potdem/failure$"))
     if (other != this && dynamic_cast<FixPotdemFailure *>(other)->btype == btype)
       error->all(FLERR,
@@ -128,9 +126,23 @@ void FixPotdemFailure::init()
   history = FixPotdemBondHistory::find(lmp);
 }
 
-void FixPotdemFailure::give_strengths_to(BondPotdemTruss &truss) const
+void FixPotdemFailure::find_bonds()
 {
-  truss.set_strength(btype, tension, compression, scatter);
+  bonds = nullptr;
+  const auto offered = potdem_find<BreakableBonds>(lmp);
+  for (auto *const one : offered)
+    if (one->owns(btype)) bonds = one;
+  if (offered.empty()) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
+  if (!bonds)
+    error->all(FLERR,
+               "Fix potdem/failure {}: bonds of type {} are not those of bond_style potdem/truss: "
+               "give the fix a bond type that is",
+               id, btype);
+}
+
+void FixPotdemFailure::give_strengths_to(BondStrengths &strengths) const
+{
+  strengths.set(btype, tension, compression, scatter);
 }
 
 // unlike its base class, it works with bonded pairs left out of the neighbour list altogether (the bond
@@ -177,9 +189,9 @@ void FixPotdemFailure::agree()
 {
   std::vector<Pending> mine;
   const tagint *tag = atom->tag;
-  for (const auto &over : bond->overstretched()) {
-    const int i = over.i, j = bond->partner(over.n);
-    if (bond->type(over.n) != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
+  for (const auto &over : bonds->overstretched()) {
+    const int i = over.i, j = over.j;
+    if (over.type != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
     if (j >= atom->nlocal && tag[j] < tag[i]) continue;
     mine.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]), bond_energy(i, j)});
   }
@@ -195,7 +207,7 @@ void FixPotdemFailure::agree()
 void FixPotdemFailure::pre_force(int /*vflag*/)
 {
   if (pending.empty()) return;
-  bond->refresh();
+  bonds->follow_lists();
   const auto failed = describe_pending();
   pending.clear();
   bool near = false;
@@ -275,8 +287,7 @@ double FixPotdemFailure::bond_energy(int i, int j) const
 {
   const double *xi = atom->x[i], *xj = atom->x[j];
   const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
-  double force;
-  return bond->single(btype, del[0] * del[0] + del[1] * del[1] + del[2] * del[2], i, j, force);
+  return bonds->energy_of_bond(btype, del[0] * del[0] + del[1] * del[1] + del[2] * del[2], i, j);
 }
 
 /* ----------------------------------------------------------------------
@@ -291,7 +302,7 @@ void FixPotdemFailure::remove(const Failure &failure)
     const int i = atom->map(tags[end]);
     if (i < 0 || i >= atom->nlocal) continue;
     held = true;
-    bond->cut(i, tags[1 - end]);
+    bonds->cut(i, tags[1 - end]);
     history->remove(i, history->slot(i, tags[1 - end]));
   }
   if (!held) return;

@@ -3,6 +3,8 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
+/* fix potdem/failure: what bonds of one type bear, and the bonds that reached it, gone for good. How, see the .cpp */
+
 #ifndef LMP_FIX_POTDEM_FAILURE_H
 #define LMP_FIX_POTDEM_FAILURE_H
 
@@ -25,7 +27,7 @@ class FixPotdemFailure :
   ~FixPotdemFailure() override;
   int setmask() override;
   void init() override;
-  void give_strengths_to(class BondPotdemTruss &) const override;
+  void give_strengths_to(class BondStrengths &) const override;
   Term energy_term() const override { return FRACTURE; }
   double energy() override { return lost_energy; }
   void setup(int) override;
@@ -48,7 +50,7 @@ class FixPotdemFailure :
   double tension, compression;
   POTDEM::StrengthScatter scatter;
   double ntension, ncompression, lost_energy;    // since the first run, over all ranks
-  class BondPotdemTruss *bond;
+  BreakableBonds *bonds;                         // those of this type
   class FixPotdemBondHistory *history;
   int maxrows;    // of array_local: what this rank decided, in one block, as LAMMPS's Python module reads it
 
@@ -66,6 +68,7 @@ class FixPotdemFailure :
   double bond_energy(int i, int j) const;
   double contact_reach(int i, int j) const;
   void record(const std::vector<Failure> &);
+  void find_bonds();
   void warn_if_idle() const;
   void remove(const Failure &);
 };

@@ -23,8 +23,8 @@ static constexpr double UNEVEN = 0.6;
 
 /* ---------------------------------------------------------------------- */
 
-PotdemBodyArea::PotdemBodyArea(LAMMPS *lmp, FixPotdemBondHistory *store) :
-    Pointers(lmp), history(store), body(halo)
+PotdemBodyArea::PotdemBodyArea(LAMMPS *lmp, FixPotdemBondHistory *store, const std::string &style) :
+    Pointers(lmp), history(store), style(style), body(halo)
 {
   halo.store = store;
   halo.world = world;
@@ -58,16 +58,15 @@ void PotdemBodyArea::solve(int type, double density)
   const auto found = POTDEM::find_body_areas(body);
   switch (found.outcome) {
     case POTDEM::BodyAreaReport::NO_INSIDE:
-      error->all(
-          FLERR,
-          "bond_style potdem/truss: area body for bond type {}: no particle has neighbours on "
-          "all sides, the body is too thin or r_infl too short; use area factor",
-          type);
+      error->all(FLERR,
+                 "{}: area body for bond type {}: no particle has neighbours on "
+                 "all sides, the body is too thin or r_infl too short; use area factor",
+                 style, type);
     case POTDEM::BodyAreaReport::MECHANISM:
       error->all(FLERR,
-                 "bond_style potdem/truss: area body for bond type {}: the bonds are too few to be "
+                 "{}: area body for bond type {}: the bonds are too few to be "
                  "stiff in every direction; increase r_infl in potdem_bonds",
-                 type);
+                 style, type);
     case POTDEM::BodyAreaReport::DONE:
       break;
   }
@@ -140,9 +139,9 @@ void PotdemBodyArea::report(const POTDEM::BodyAreaReport &found, int type, bigin
                    type, found.misfit);
   if (!update->setupflag) return;    // bodies that come during a run may be many
   utils::logmesg(lmp,
-                 "bond_style potdem/truss: bond type {}: area body of {} bonds, volume {:.6g}, "
+                 "{}: bond type {}: area body of {} bonds, volume {:.6g}, "
                  "areas {:.3g} to {:.3g} of the uniform one (a = {:.4g}), misfit inside {:.2g}, "
                  "{} iterations, {:.2f} s\n",
-                 type, count, found.volume, all_least, all_most, found.factor / (0.25 * M_PI),
-                 found.misfit, found.iterations, seconds);
+                 style, type, count, found.volume, all_least, all_most,
+                 found.factor / (0.25 * M_PI), found.misfit, found.iterations, seconds);
 }

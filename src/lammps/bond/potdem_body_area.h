@@ -13,11 +13,13 @@
 
 #include "pointers.h"
 
+#include <string>
+
 namespace LAMMPS_NS {
 
 class PotdemBodyArea : protected Pointers {
  public:
-  PotdemBodyArea(LAMMPS *, class FixPotdemBondHistory *);
+  PotdemBodyArea(LAMMPS *, class FixPotdemBondHistory *, const std::string &style);
 
   // density: V = m/density for each particle; 0: from the cells of the inner particles
   void solve(int type, double density);
@@ -32,6 +34,7 @@ class PotdemBodyArea : protected Pointers {
   };
 
   class FixPotdemBondHistory *history;
+  std::string style;
   Halo halo;
   POTDEM::BondedBody body;
 

@@ -78,12 +78,27 @@ class BondMemory : public Interface {
   virtual void masses_changed() = 0;
   virtual void lose_memory() = 0;    // somebody removes the fix that keeps it
   virtual bool lost_memory() const = 0;
+  // what bonds have learnt in the last steps goes into the memory: before particles change their places in this rank
+  virtual void return_state() = 0;
 };
 
 // decides what bonds of a type bear
 class FailureCriterion : public Interface {
  public:
-  virtual void give_strengths_to(class BondPotdemTruss &) const = 0;
+  virtual void give_strengths_to(class BondStrengths &) const = 0;
+};
+
+// bonds that such a criterion takes away
+class BreakableBonds : public Interface {
+ public:
+  struct Overstretched {
+    int i, j, type;    // owned atom, its partner
+  };
+  virtual bool owns(int type) const = 0;
+  virtual void follow_lists() = 0;    // those of the latest rebuild
+  virtual const std::vector<Overstretched> &overstretched() const = 0;    // in the last forces
+  virtual double energy_of_bond(int type, double r2, int i, int j) = 0;
+  virtual void cut(int i, tagint partner) = 0;    // no force from here on
 };
 
 // asks to be told when the fix that warns is removed

@@ -3,24 +3,25 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* The truss on several threads: LAMMPS's OPENMP package gives each thread a force array. */
+/* The bond styles on several threads: LAMMPS's OPENMP package gives each thread a force array. */
 
-#ifndef LMP_BOND_POTDEM_TRUSS_OMP_H
-#define LMP_BOND_POTDEM_TRUSS_OMP_H
+#ifndef LMP_BOND_POTDEM_OMP_H
+#define LMP_BOND_POTDEM_OMP_H
 
-#include "lammps/bond/bond_potdem_truss.h"
+#include "lammps/bond/bond_potdem.h"
 
 #include "thr_omp.h"
 
 namespace LAMMPS_NS {
 
-class BondPotdemTrussOMP : public BondPotdemTruss, public ThrOMP {
+template <class Law> class BondPotdemOMP : public BondPotdem<Law>, public ThrOMP {
  public:
-  BondPotdemTrussOMP(class LAMMPS *);
+  BondPotdemOMP(class LAMMPS *);
   void compute(int, int) override;
   double memory_usage() override;
 
  protected:
+  using typename BondPotdemBase::ThreadShare;
   void tally(const ThreadShare &, int i, int j, double energy, double push,
              const double *del) override;
 };

@@ -1,0 +1,22 @@
+/* The dashpot of a bond: a fraction xi of the critical damping of its two particles on this bond alone,
+
+     C = 2 xi sqrt(K m)        K stiffness at rest, m = mi mj/(mi + mj)
+
+   It pulls with C dr/dt along the line of centres. */
+
+#ifndef POTDEM_DASHPOT_H
+#define POTDEM_DASHPOT_H
+
+#include <cmath>
+
+namespace POTDEM {
+
+// viscosity C
+inline double dashpot(double xi, double stiffness, double reduced_mass)
+{
+  return 2.0 * xi * std::sqrt(stiffness * reduced_mass);
+}
+
+}    // namespace POTDEM
+
+#endif
