@@ -8,15 +8,20 @@ import numpy as np
 ALL_DIGITS = "%.17g"
 
 
+def table_of_laws(root, kind):
+    """the rows of law_list.h from which the styles of this kind are made"""
+    listed = {"pair": "CONTACT_LAWS", "bond": "BOND_LAWS"}[kind]
+    (block,) = re.findall(rf"#define {listed}\(X\)((?:.*\\\n)*.*)", (root / "src" / "core" / "laws" / "law_list.h").read_text())
+    return block
+
+
 def registered_styles(root):
     """(kind, name) of each style of the package: the rows of potdem_styles.h, and of the lists of laws from which it makes some"""
     rows = r"^(\w+)Style\((\S+?),"
     table = (root / "src" / "lammps" / "potdem_styles.h").read_text()
     found = [(kind.lower(), name) for kind, name in re.findall(rows, table, re.MULTILINE)]
-    laws = (root / "src" / "core" / "laws" / "law_list.h").read_text()
     for kind, pattern in re.findall(r"^  (\w+)Style\((potdem/name\S*?),", table, re.MULTILINE):
-        listed = {"Pair": "CONTACT_LAWS", "Bond": "BOND_LAWS"}[kind]
-        (block,) = re.findall(rf"#define {listed}\(X\)((?:.*\\\n)*.*)", laws)
+        block = table_of_laws(root, kind.lower())
         found += [(kind.lower(), pattern.replace("name", law)) for law in re.findall(r"X\((\w+), \w+\)", block)]
     return found
 

@@ -53,10 +53,10 @@ run 20
 """
 
 
-def law_header(style):
-    """core/laws/*.h of a pair style, by its row of CONTACT_LAWS"""
+def law_header(kind, style):
+    """core/laws/*.h of a pair or bond style, by its row of CONTACT_LAWS or BOND_LAWS"""
     laws = ROOT / "src" / "core" / "laws"
-    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", (laws / "law_list.h").read_text())
+    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", scripts.table_of_laws(ROOT, kind))
     (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law} {{", header.read_text(), re.MULTILINE)]
     return header
 
@@ -148,7 +148,10 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
     stem = page_of(kind, name).stem
     sources = [*(ROOT / "src" / "lammps").rglob(f"{stem if kind != 'command' else name}.cpp")]
     if kind == "pair":
-        sources = [ROOT / "src" / "lammps" / "pair" / "pair_potdem_coeff.h", law_header(name)]
+        sources = [ROOT / "src" / "lammps" / "pair" / "pair_potdem_coeff.h", law_header(kind, name)]
+    if kind == "bond":
+        bond = ROOT / "src" / "lammps" / "bond"
+        sources = [bond / "bond_potdem.cpp", bond / "potdem_bond_area.cpp", law_header(kind, name)]
     text = "".join(source.read_text() for source in sources)
     keywords = re.findall(r'(?:next_is|option|flag|setting|or_word)\("(\w+)"', text)
     keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file", "auto"] * ("potdem_read_friction(" in text)
