@@ -7,12 +7,14 @@
 #ifndef POTDEM_DASHPOT_H
 #define POTDEM_DASHPOT_H
 
+#include "device.h"
+
 #include <cmath>
 
 namespace POTDEM {
 
 // viscosity C
-inline double dashpot(double xi, double stiffness, double reduced_mass)
+POTDEM_FUNCTION inline double dashpot(double xi, double stiffness, double reduced_mass)
 {
   return 2.0 * xi * std::sqrt(stiffness * reduced_mass);
 }

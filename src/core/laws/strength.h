@@ -4,6 +4,8 @@
 #ifndef POTDEM_STRENGTH_H
 #define POTDEM_STRENGTH_H
 
+#include "device.h"
+
 namespace POTDEM {
 
 struct Strength {
@@ -21,7 +23,7 @@ struct Strength {
   }
 
   // scale: the strength of this bond over the mean (strength_scatter.h)
-  bool reached_by(double load, double scale) const
+  POTDEM_FUNCTION bool reached_by(double load, double scale) const
   {
     return load >= scale * tension || load <= scale * compression;
   }

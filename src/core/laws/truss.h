@@ -14,6 +14,7 @@
 #define POTDEM_TRUSS_H
 
 #include "coefficients.h"
+#include "device.h"
 #include "evaluation.h"
 #include "penetration.h"
 
@@ -23,13 +24,13 @@ namespace POTDEM {
 
 // section of a truss between two particles of mean diameter dbar: the circle with the mean radius
 // (the thesis's own definition; its printed formula with d_i + d_j is four times as large)
-inline double truss_section(double dbar)
+POTDEM_FUNCTION inline double truss_section(double dbar)
 {
   return 0.25 * M_PI * dbar * dbar;
 }
 
 // strain from q = (r/re)^2
-inline double truss_strain(double q)
+POTDEM_FUNCTION inline double truss_strain(double q)
 {
   return 0.5 * (q - 1.0);
 }
@@ -52,15 +53,16 @@ struct Truss {
     Penetration factor;
 
     // 2 c eps, the stress over E/2, from q = (r/re)^2. PENETRATION: some bond type has the factor
-    template <bool PENETRATION = true> double load(double q, double * /*state*/ = nullptr) const
+    template <bool PENETRATION = true>
+    POTDEM_FUNCTION double load(double q, double * /*state*/ = nullptr) const
     {
       const double load = q - 1.0;
       return PENETRATION && has_penetration ? load * factor.value(std::sqrt(q)) : load;
     }
 
     // modulus: A E; re: reference length
-    Evaluation evaluate(double r, double re, double modulus,
-                        const double * /*state*/ = nullptr) const
+    POTDEM_FUNCTION Evaluation evaluate(double r, double re, double modulus,
+                                        const double * /*state*/ = nullptr) const
     {
       const double x = r / re, dx = x - 1.0;
       const double force = -0.5 * modulus * load(x * x);

@@ -12,6 +12,7 @@
 
 #include "coefficients.h"
 #include "contact_geometry.h"
+#include "device.h"
 #include "truss.h"
 
 namespace POTDEM {
@@ -40,9 +41,13 @@ struct TrussContact {
     double stress;    // E a
     Truss::Kernel truss;
 
-    template <class Geometry> static constexpr double hard_core(const Geometry &) { return 0.0; }
+    template <class Geometry> POTDEM_FUNCTION static constexpr double hard_core(const Geometry &)
+    {
+      return 0.0;
+    }
 
-    template <class Geometry> Evaluation evaluate(double r, const Geometry &at) const
+    template <class Geometry>
+    POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
       if (r >= at.contact) return {0.0, 0.0, 0.0};
       return truss.evaluate(r, at.contact, stress * truss_section(at.dbar()));
@@ -52,7 +57,7 @@ struct TrussContact {
   Kernel kernel(bool /*shift*/) const { return {E * a, Truss{E, m, normalized}.kernel()}; }
 
   // distance below which two particles of mean diameter dbar can interact
-  static double reach(double dbar) { return dbar; }
+  POTDEM_FUNCTION static double reach(double dbar) { return dbar; }
 };
 
 }    // namespace POTDEM
