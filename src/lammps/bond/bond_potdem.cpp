@@ -207,7 +207,7 @@ void BondPotdemBase::masses_changed()
 
 void BondPotdemBase::return_state()
 {
-  bonds.return_state(*history);
+  if (history) bonds.return_state(*history);
 }
 
 void BondPotdemBase::forget_packed()

@@ -96,9 +96,8 @@ class BondPotdemBase :
 
   // the law's part
   virtual void make_laws(int ntypes) = 0;
-  virtual void read(PotdemMaterialInput &, int lo, int hi) = 0;       // coefficients of these types
-  virtual std::string coeff_line(int type) const = 0;                 // as bond_coeff takes it
-  virtual double *coeff_of_law(int type, const std::string &) = 0;    // null: no such one
+  virtual void read(PotdemMaterialInput &, int lo, int hi) = 0;    // coefficients of these types
+  virtual PotdemLawRows rows(int type) = 0;
   virtual double modulus(int type) const = 0;
   virtual bool has_penetration(int type) const = 0;
   virtual POTDEM::Evaluation evaluate(int type, double r, double re, double modulus,

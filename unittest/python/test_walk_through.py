@@ -1,0 +1,176 @@
+"""The walk-through of docs/developer.md: a new law is one header and one row. Each patch of unittest/walk-through is applied to a
+copy of the sources, which is built as a plugin and checked with two particles."""
+
+import conftest
+import numpy as np
+import pytest
+import scripts
+import walk_through
+
+pytestmark = pytest.mark.built_in
+
+
+def plugin_of(law):
+    """a fixture: the plugin with this patch"""
+
+    @pytest.fixture(scope="module", name=law)
+    def plugin(root, build, tmp_path_factory):
+        patch = root / "unittest" / "walk-through" / f"{law}.patch"
+        return walk_through.build_plugin(root, build, patch, tmp_path_factory.mktemp(law))
+
+    return plugin
+
+
+bond_law = plugin_of("bond_law")
+
+
+@pytest.fixture
+def lmp():
+    """a LAMMPS without our styles: all come from the plugin"""
+    return conftest.PLAIN
+
+
+# --- a bond law: a truss that yields (unittest/walk-through/bond_law.patch) ----------------------------------------------------
+
+E, YIELD, SECTION = 1000.0, 20.0, scripts.section(1.0, 0.5)
+
+
+class Yielding:
+    """the law, as a formula of one bond of length 1"""
+
+    def __init__(self):
+        self.plastic = 0.0
+
+    def stretched(self, x):
+        """(tension, energy) at length x"""
+        strain = 0.5 * (x * x - 1.0)
+        elastic = np.clip(strain - self.plastic, -YIELD / E, YIELD / E)
+        self.plastic = strain - elastic
+        rest = np.sqrt(1.0 + 2.0 * self.plastic)    # without load
+        return SECTION * E * elastic, SECTION * E * (x - rest)**2 * (x + 2.0 * rest) / 6.0
+
+
+PATH = (1.01, 1.05, 1.04, 0.97, 0.99, 1.06, 1.06)
+PAIR = [(-0.5, 0.1, 0.1, 1.0), (0.5, 0.1, 0.1, 1.0)]
+FORCES = "fix hold all nve/noforce\ntimestep 1e-6\n"
+CONTACTS = f"pair_style potdem/truss\npair_coeff * * {E} 0.4\n"
+BONDS = f"bond_style potdem/plastic\nbond_coeff * {E} {YIELD} area factor 0.5\n"
+STATE = scripts.result("fx[1]", "ebond", "c_f", "c_e")
+LOCAL = "compute b all bond/local force engpot\ncompute f all reduce sum c_b[1] inputs local\n"
+LOCAL += "compute e all reduce sum c_b[2] inputs local\nthermo_style custom step ebond c_f c_e\nthermo_modify format float %.17g\n"
+
+
+def start(plugin):
+    """each half of the box is a rank, if there are two"""
+    return f"plugin load {plugin}\nprocessors * 1 1\n"
+
+
+def bonded(plugin, bonds=BONDS):
+    return start(plugin) + scripts.box(20) + scripts.particles(PAIR) + CONTACTS + bonds + "potdem_bonds all 1 1.1\n" + \
+        FORCES + LOCAL
+
+
+def moved_to(x, run):
+    """the second particle that far from the first"""
+    return f"set atom 2 x {x - 0.5:.17g}\n{run}\n"
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("run", ["run 0", "neigh_modify every 1 delay 0 check no\nrun 3", "run 1 post no\nrun 1 pre no\nrun 1"])
+def test_force_and_energy_remember_the_plastic_strain(bond_law, run_lammps, run, nprocs):
+    """through set-up, rebuilds of lists and runs in pieces; the two particles are on two ranks if there are two"""
+    script = bonded(bond_law) + "".join(moved_to(x, run) + STATE for x in PATH)
+    law = Yielding()
+    for x, found in zip(PATH, scripts.results(run_lammps(script, nprocs=nprocs).stdout)):
+        tension, energy = law.stretched(x)
+        assert found == pytest.approx([tension, energy, -tension, energy], rel=1e-9, abs=1e-12), x
+
+
+def test_it_yields_and_rebounds_within_a_run(bond_law, run_lammps):
+    """stretched and relaxed at constant speed, with new lists on the way"""
+    steps, speed, most = 1000, 1.0, 1.05
+    script = bonded(bond_law) + "unfix hold\nneigh_modify every 7 delay 0 check no\ngroup right id 2\n"
+    script += f"timestep {(most - 1.0) / speed / steps}\n"
+    script += f"fix pull right move linear {speed} 0 0\nrun {steps}\n" + STATE + "unfix pull\n"
+    script += f"fix back right move linear {-speed} 0 0\nrun {steps}\n" + STATE
+    law = Yielding()
+    for x, found in zip((most, 1.0), scripts.results(run_lammps(script).stdout)):
+        tension, energy = law.stretched(x)
+        assert found == pytest.approx([tension, energy, -tension, energy], rel=1e-9), x
+
+
+@pytest.mark.parametrize("when", ["write_restart half.restart\n", "restart 2 half.restart half.restart\nrun 2\n"])
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_restart_keeps_the_plastic_strain(bond_law, run_lammps, when, nprocs):
+    script = bonded(bond_law) + moved_to(1.05, "run 0") + when + "clear\n" + start(bond_law) + "read_restart half.restart\n"
+    script += FORCES + LOCAL + "run 0\n" + STATE + moved_to(1.04, "run 0") + STATE
+    law = Yielding()
+    law.stretched(1.05)
+    for x, found in zip((1.05, 1.04), scripts.results(run_lammps(script, nprocs=nprocs).stdout)):
+        tension, energy = law.stretched(x)
+        assert found == pytest.approx([tension, energy, -tension, energy], rel=1e-9), x
+
+
+def test_coefficients_are_checked_adapted_and_written(bond_law, run_lammps):
+    run_lammps(bonded(bond_law, BONDS.replace(f"{E}", "-1.0")), expect_error="E = -1 is out of range")
+    run_lammps(bonded(bond_law, BONDS.replace(f"{YIELD}", "0.0")), expect_error="yield = 0 is out of range")
+    run_lammps(bonded(bond_law, BONDS.strip() + " penetration 2\n"), expect_error="damping")
+    script = bonded(bond_law) + moved_to(1.05, "run 0") + STATE + "variable softer equal 10.0\n"
+    script += "fix soften all adapt 1 bond potdem/plastic yield * v_softer\nrun 0\n" + STATE
+    before, after = scripts.results(run_lammps(script).stdout)
+    assert before[0] == pytest.approx(SECTION * YIELD, rel=1e-9)
+    assert after[0] == pytest.approx(SECTION * 10.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_it_fails_at_its_strength(bond_law, run_lammps, nprocs):
+    """below the stress at which it yields; above it never"""
+    for strength, fails in ((0.9 * YIELD, 1), (1.1 * YIELD, 0)):
+        script = bonded(bond_law) + f"fix fail all potdem/failure 1 tension {strength}\n" + moved_to(1.1, "run 3")
+        script += scripts.result("bonds", "f_fail", "f_fail[1]")
+        left, failed, energy = scripts.results(run_lammps(script, nprocs=nprocs).stdout)[0]
+        assert (left, failed) == (1 - fails, fails)
+        assert energy == pytest.approx(fails * Yielding().stretched(1.1)[1], rel=1e-9)
+
+
+HYBRID = scripts.box(20, bond_types=2) + scripts.particles(PAIR + [(-0.5, 5.1, 0.1, 1.0), (0.5, 5.1, 0.1, 1.0)]) + CONTACTS + f"""
+bond_style hybrid potdem/truss potdem/plastic
+bond_coeff 1 potdem/truss {E} area factor 0.5
+bond_coeff 2 potdem/plastic {E} {YIELD} area factor 0.5
+group below id 1 2
+group above id 3 4
+potdem_bonds below 1 1.1
+potdem_bonds above 2 1.1
+""" + FORCES + "thermo_style custom step ebond\nthermo_modify format float %.17g\n"
+
+
+def both_moved_to(x, run):
+    return f"set atom 2 x {x - 0.5:.17g}\nset atom 4 x {x - 0.5:.17g}\n{run}\n"
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("run", ["run 0", "neigh_modify every 1 delay 0 check no\nrun 3"])
+def test_beside_a_truss_in_hybrid(bond_law, run_lammps, run, nprocs):
+    script = start(bond_law) + HYBRID
+    script += "".join(both_moved_to(x, run) + scripts.result("fx[1]", "fx[3]", "ebond") for x in PATH)
+    law = Yielding()
+    for x, found in zip(PATH, scripts.results(run_lammps(script, nprocs=nprocs).stdout)):
+        tension, energy = law.stretched(x)
+        truss = scripts.truss_tension(x, SECTION * E)
+        assert found == pytest.approx([truss, tension, energy + scripts.truss_energy(x, 1.0, SECTION * E)], rel=1e-9), x
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_each_law_of_a_hybrid_fails_by_its_own_fix(bond_law, run_lammps, nprocs):
+    """at 1.01 none, at 1.03 the truss, in compression at 0.985 the other"""
+    fixes = f"fix one all potdem/failure 1 tension {0.02 * E}\nfix two all potdem/failure 2 compression {0.014 * E}\n"
+    script = start(bond_law) + HYBRID + fixes
+    for x in (1.01, 1.03, 0.985, 1.01):
+        script += both_moved_to(x, "run 3") + scripts.result("bonds", "f_one", "f_two", "fx[1]", "fx[3]")
+    found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    assert found[:, 0].tolist() == [2, 1, 0, 0]
+    assert found[:, 1].tolist() == [0, 1, 1, 1]
+    assert found[:, 2].tolist() == [0, 0, 1, 1]
+    assert found[0, 3] > 0.0 and found[1, 3] == 0.0
+    assert found[1, 4] == pytest.approx(SECTION * YIELD, rel=1e-9)
+    assert found[3, 3] == 0.0 and found[3, 4] == 0.0

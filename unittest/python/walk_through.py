@@ -1,0 +1,69 @@
+"""Applies a patch of unittest/walk-through to a copy of the sources and builds the plugin from it: what the patch touches, and
+what includes that, is compiled anew; all else is taken from the build under test."""
+
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+LIST = "src/core/laws/law_list.h"
+STYLES = "potdemstyles.so"
+
+
+def output_of(*command, cwd):
+    done = subprocess.run(command, cwd=cwd, text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode == 0, done.stdout[-3000:]
+    return done.stdout
+
+
+def apply(root, patch, folder):
+    """a copy of src with the patch; returns the files that it touches"""
+    shutil.copytree(root / "src", folder / "src")
+    touched = re.findall(r"^\+\+\+ b/(\S+)", patch.read_text(), re.MULTILINE)
+    output_of("git", "apply", "-p1", str(patch), cwd=folder)
+    return touched
+
+
+def check_touched(root, touched):
+    """one new header, and a row and its include in the list of laws"""
+    others = [Path(name) for name in touched if name != LIST]
+    assert LIST in touched and len(others) == 1, touched
+    assert others[0].suffix == ".h" and not (root / others[0]).exists(), touched
+
+
+def objects(build):
+    """{object of the plugin's styles: (its command, what it was made from)}"""
+    commands = output_of("ninja", "-t", "commands", STYLES, cwd=build).splitlines()
+    made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line and "potdemstyles.dir" in line}
+    known = output_of("ninja", "-t", "deps", *made, cwd=build)
+    needed = dict(re.findall(r"^(\S+\.o): .*\n((?: +\S+\n)*)", known, re.MULTILINE))
+    return {name: (line, needed[name].split()) for name, line in made.items()}, commands[-1]
+
+
+def build_plugin(root, build, patch, folder):
+    """the plugin with the patch, in the folder"""
+    if not (build / "build.ninja").exists():
+        pytest.skip("needs a build by Ninja")
+    touched = apply(root, patch, folder)
+    check_touched(root, touched)
+    changed = {str(root / name) for name in touched}
+    made, link = objects(build)
+    anew = {name: line for name, (line, needed) in made.items() if changed & set(needed)}
+    assert anew
+
+    def compile_copy(item):
+        name, line = item
+        local = folder / Path(name).name
+        line = line.replace(f"{root}/src", f"{folder}/src").replace(f" -o {name} ", f" -o {local} ")
+        output_of("sh", "-c", re.sub(r" -MD -MT \S+ -MF \S+", "", line), cwd=build)
+        return name, local
+
+    with ThreadPoolExecutor(2) as workers:
+        for name, local in workers.map(compile_copy, anew.items()):
+            link = link.replace(name, str(local))
+    output_of("sh", "-c", link.replace(f"-o {STYLES}", f"-o {folder / STYLES}"), cwd=build)
+    shutil.copy(build / "potdemplugin.so", folder)
+    return folder / "potdemplugin.so"
