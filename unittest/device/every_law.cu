@@ -32,7 +32,7 @@ struct Motion {
 };
 
 struct Masses {
-  POTDEM_FUNCTION ContactMasses operator()() const { return {0.25, 1e-4}; }
+  POTDEM_FUNCTION ContactMasses operator()() const { return {0.25, 1e-4, 1e-4}; }
 };
 
 // a contact at the distance r, with forces, spring and turning point
@@ -45,7 +45,8 @@ POTDEM_FUNCTION void contact(const Kernel &kernel, double r, const Geometry &geo
   const double n[3] = {0.6, 0.0, 0.8};
   const auto forces = contact_forces<true>(kernel, r, geometry, 1.0, rate, rough, state, true,
                                            2.0 / 7.0, motion, Masses());
-  const auto spring = contact_spring(kernel, r, geometry, 1.0, rate, rough, 2.0 / 7.0, n);
+  const auto spring =
+      contact_spring(kernel, r, geometry, 1.0, rate, rough, Masses()(), 2.0 / 7.0, n);
   const auto law = [&](double distance) {
     return kernel.evaluate(distance, geometry);
   };
@@ -89,17 +90,22 @@ __global__ void all_contacts(typename Law::Kernel kernel, Law law, Tangential ro
   if (k < n) contacts(kernel, law, rough, k, out + WIDTH * k);
 }
 
+template <class Law>
+POTDEM_FUNCTION void bonds(const typename Law::Kernel &kernel, int k, double *out)
+{
+  double state[Law::STATE + 1] = {};
+  const double x = 0.9 + 1e-3 * k;
+  out[0] = kernel.load(x * x, state);
+  const auto found = kernel.evaluate(x, 1.0, 1e6, state);
+  out[1] = found.energy;
+  out[2] = found.force;
+  out[3] = found.stiffness;
+}
+
 template <class Law> __global__ void all_bonds(typename Law::Kernel kernel, int n, double *out)
 {
   const int k = blockIdx.x * blockDim.x + threadIdx.x;
-  if (k >= n) return;
-  double state[Law::STATE + 1] = {};
-  const double x = 0.9 + 1e-3 * k;
-  out[WIDTH * k] = kernel.load(x * x, state);
-  const auto found = kernel.evaluate(x, 1.0, 1e6, state);
-  out[WIDTH * k + 1] = found.energy;
-  out[WIDTH * k + 2] = found.force;
-  out[WIDTH * k + 3] = found.stiffness;
+  if (k < n) bonds<Law>(kernel, k, out + WIDTH * k);
 }
 
 constexpr int N = 200;
@@ -167,6 +173,19 @@ void compare_contact(const char *name, Law law, Tangential rough)
       });
 }
 
+template <class Law> void compare_bond(const char *name, Law law)
+{
+  const auto kernel = law.kernel(), there = for_device(kernel, 0);
+  compare(
+      name,
+      [&](double *out) {
+        all_bonds<Law><<<1, 256>>>(there, N, out);
+      },
+      [&](double *out) {
+        for (int k = 0; k < N; k++) bonds<Law>(kernel, k, out + WIDTH * k);
+      });
+}
+
 // all coefficients from the table: a value in the range of each
 template <class Law> Law some_law()
 {
@@ -210,6 +229,8 @@ int main()
 #define POTDEM_CONTACT(name, Law) with_every_friction<Law>(#name);
   CONTACT_LAWS(POTDEM_CONTACT)
   with_every_friction<HertzWall>("hertz wall");
+#define POTDEM_BOND(name, Law) compare_bond(#name " bond", completed(some_law<Law>(), 0));
+  BOND_LAWS(POTDEM_BOND)
   std::printf("largest %.3e\n", largest);
   return largest < 1e-12 ? 0 : 1;
 }

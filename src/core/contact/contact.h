@@ -31,10 +31,10 @@ struct Frictionless {
   static constexpr double mu = 0.0;
 };
 
-// masses of what touches, in which step * force is mass * velocity
 struct ContactMasses {
   double effective;    // mi mj / (mi + mj), mi at a wall
-  double step;
+  double step;         // in which mass over it is force over velocity
+  double dt;           // time of a step
 };
 
 struct ContactForces {
@@ -56,6 +56,7 @@ POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMass
               stiffness,
               spin_share * masses.effective,
               masses.step,
+              masses.dt,
               advance};
   sliding_velocity<SPIN>(at, slide.u);
   return slide;
@@ -87,12 +88,12 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
   return found;
 }
 
-// its tangent, for the critical step, at the distance r along n. spin_share as above
+// its tangent, for the critical step, at the distance r along n. spin_share as above, of a sphere that touches there
 template <class Kernel, class Geometry, class Rate, class Tangential>
 POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry,
                                       double weight, const Rate &rate_law,
-                                      const Tangential &tangential, double spin_share,
-                                      const double *n)
+                                      const Tangential &tangential, const ContactMasses &masses,
+                                      double spin_share, const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
   Spring spring{{n[0], n[1], n[2]},
@@ -105,9 +106,16 @@ POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geom
       spring.viscosity = weight * rate_law.viscosity(law.force, geometry.contact - r);
   if constexpr (!std::is_same_v<Tangential, Frictionless>)
     if (law.force > 0.0 && tangential.mu > 0.0) {
-      spring.friction = tangential.viscosity(spin_share);
-      if constexpr (Tangential::STATE > 0)
-        spring.across = tangential.stiffness(weight * law.stiffness) / spin_share;
+      const Slide slide{{},
+                        {n[0], n[1], n[2]},
+                        weight * law.force,
+                        weight * law.stiffness,
+                        spin_share * masses.effective,
+                        masses.step,
+                        masses.dt,
+                        false};
+      spring.friction = tangential.viscosity(slide) / spin_share;
+      if constexpr (Tangential::STATE > 0) spring.across = tangential.stiffness(slide) / spin_share;
     }
   return spring;
 }

@@ -9,8 +9,8 @@
      STATE                              numbers that it keeps per contact, 0 at first touch
      force(slide, state, f)             the force f on the first particle (LAMMPS's sign), and what it remembers
      turn(state)                        (if STATE > 0) what the second particle would remember
-     viscosity(mass)                    the largest force over velocity, for the critical step
-     stiffness(normal stiffness)        (if STATE > 0) the largest force over displacement, likewise */
+     viscosity(slide)                   the largest force over the velocity of the surface, for the critical step
+     stiffness(slide)                   (if STATE > 0) the largest force over its displacement, likewise */
 
 #ifndef POTDEM_SLIDE_H
 #define POTDEM_SLIDE_H
@@ -26,6 +26,7 @@ struct Slide {
   double stiffness;    // of the normal force
   double mass;         // that a force at the surface accelerates there
   double step;         // in which mass over it is force over velocity
+  double dt;           // time of a step
   bool advance;        // a step has been made: state may change
 };
 

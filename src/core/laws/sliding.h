@@ -69,10 +69,7 @@ struct Sliding {
   }
 
   // 'auto' follows the step and does not limit it
-  POTDEM_FUNCTION double viscosity(double mass_share) const
-  {
-    return automatic != 0.0 ? 0.0 : eta / mass_share;
-  }
+  POTDEM_FUNCTION double viscosity(const Slide &) const { return automatic != 0.0 ? 0.0 : eta; }
 };
 
 }    // namespace POTDEM

@@ -126,7 +126,7 @@ template <class Law> POTDEM::ContactMotion PairPotdem<Law>::motion(int i, int j)
 template <class Law> POTDEM::ContactMasses PairPotdem<Law>::masses(int i, int j) const
 {
   const double mi = atom->rmass[i], mj = atom->rmass[j];
-  return {mi * mj / (mi + mj), update->dt / force->mvv2e};
+  return {mi * mj / (mi + mj), update->dt / force->mvv2e, update->dt};
 }
 
 template <class Law>
@@ -233,7 +233,7 @@ POTDEM::Spring PairPotdem<Law>::spring(int i, int j, const POTDEM::ContactMotion
   return std::visit(
       [&](const auto &rough) {
         return POTDEM::contact_spring(kernels[pair], r, partners, weight, rates[pair], rough,
-                                      spin_share, n);
+                                      masses(i, j), spin_share, n);
       },
       friction[pair]);
 }

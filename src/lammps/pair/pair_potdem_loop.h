@@ -98,7 +98,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
   const int *const type = atom->type;
   const int nlocal = atom->nlocal, newton = force->newton_pair;
   const bool remembering = contacts && contacts->any(), advance = !update->setupflag;
-  const double step = update->dt / force->mvv2e;
+  const double dt = update->dt, step = dt / force->mvv2e;
 
   for (int ii = share.from; ii < share.to; ii++) {
     const int i = list->ilist[ii], pairs = at(type[i], 0), jnum = list->numneigh[i];
@@ -137,7 +137,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
         return m;
       };
       const auto masses = [&] {
-        return POTDEM::ContactMasses{rmass[i] * rmass[j] / (rmass[i] + rmass[j]), step};
+        return POTDEM::ContactMasses{rmass[i] * rmass[j] / (rmass[i] + rmass[j]), step, dt};
       };
       double *state = nullptr;
       if constexpr (Tangential::STATE > 0) state = contacts->touch(i, jj);

@@ -359,6 +359,11 @@ void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 
 /* ---------------------------------------------------------------------- */
 
+POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i) const
+{
+  return {atom->rmass[i], update->dt / force->mvv2e, update->dt};
+}
+
 // what spin leaves of the mass at the surface
 double FixPotdemWallRegion::spin_share(double r_over_ri) const
 {
@@ -377,7 +382,7 @@ void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
     if (!hold) {
-      const POTDEM::ContactMasses masses{atom->rmass[i], update->dt / force->mvv2e};
+      const auto masses = masses_of(i);
       const auto slide =
           POTDEM::slide_of<SPIN>(touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]),
                                  touch.normal, touch.stiffness, !update->setupflag);
@@ -488,7 +493,7 @@ POTDEM::Spring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face 
   const auto geometry = wall.geometry(atom->radius[i]);
   return std::visit(
       [&](const auto &rough) {
-        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough,
+        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough, masses_of(i),
                                       spin_share(r / geometry.ri), face.n);
       },
       friction);

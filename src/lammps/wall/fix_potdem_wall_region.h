@@ -106,6 +106,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void add(int i, const Touch &, const double *f);
   POTDEM::ContactMotion motion(int i, const PotdemWallSurface::Face &, double *wall) const;
   double spin_share(double r_over_ri) const;
+  POTDEM::ContactMasses masses_of(int i) const;
   template <class Wall> void add_stiffness_of(const Wall &, class PotdemStiffness &, double ahead);
   template <class Wall>
   double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;
