@@ -4,16 +4,15 @@ run in turn on one core, several times. Prints Markdown. Asserts nothing: times 
 import argparse
 import re
 import statistics
-import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "tools" / "reports"))
-import writing  # noqa: E402
+from potdem import running
+from potdem.reports import writing
 
-LMP = HERE.parent / "build" / "lmp"
+HERE = Path(__file__).resolve().parent
 LEDGER = ("compute ledger all potdem/energy", "fix mean all ave/time 1 1 1 c_ledger")
 PACE = "fix pace all potdem/timestep 1 0.1 max 0.02"
 
@@ -123,9 +122,9 @@ class Bench:
 
 def launch(variables):
     """seconds of each part of the loop, and the number in the last column of the thermo output"""
-    command = [LMP, "-in", HERE / "in.cost", "-log", "none"]
-    command += [str(word) for name, value in variables.items() if value != "" for word in ("-var", name, value)]
-    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    given = {name: value for name, value in variables.items() if value != ""}
+    with tempfile.TemporaryDirectory() as folder:
+        text = running.must_run(HERE / "in.cost", given, folder).stdout
     parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
     parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
     return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[-1])

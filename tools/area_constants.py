@@ -3,7 +3,7 @@
 each chosen constant halved and doubled (whole numbers rounded down, at least 1).
 
 A copy of src/core/areas is compiled in which the constants come from the environment instead of constants.h; the package's
-own code knows nothing of it. Networks are solved by truss_network.py.
+own code knows nothing of it. Networks are solved by potdem/networks.py.
 
 Usage: tools/area_constants.py [--only NAME ...] [--factors 0.5 2] [--compiler g++]     prints the table of docs/area.md in Markdown
 """
@@ -18,9 +18,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import truss_network as networks
 
-ROOT = Path(__file__).resolve().parent.parent
+from potdem import networks
+from potdem.paths import ROOT
+from potdem.text import replaced
+
 AREAS = ROOT / "src" / "core" / "areas"
 LINE = re.compile(r"^static constexpr (int|double) (\w+) = (\S+);$", re.MULTILINE)
 REACH = 2.0
@@ -62,7 +64,7 @@ def build(folder, compiler):
     given = ("\ninline double given(const char *name, double value)\n"
              "{ const char *text = std::getenv(name); return text ? std::atof(text) : value; }\n")
     text = LINE.sub(r'inline const \1 \2 = static_cast<\1>(given("POTDEM_\2", \3));', text)
-    text = text.replace("namespace POTDEM", "#include <cstdlib>\nnamespace POTDEM", 1).replace("{\n", "{\n" + given, 1)
+    text = replaced(replaced(text, "namespace POTDEM", "#include <cstdlib>\nnamespace POTDEM", 1), "{\n", "{\n" + given, 1)
     (copy / "constants.h").write_text(text)
     subprocess.run([compiler, "-std=c++17", "-O2", "-I", copy, ROOT / "tools" / "area_constants.cpp", *copy.glob("*.cpp"),
                     "-o", folder / "solve"], check=True)
@@ -101,7 +103,7 @@ def main():
     parser.add_argument("--factors", nargs=2, type=float, default=(0.5, 2.0), help="other than half and double")
     parser.add_argument("--compiler", default=os.environ.get("CXX", "g++"))
     arguments = parser.parse_args()
-    bodies = [networks.packing(6, 48, spread=0.2), networks.beam("cubic", 5, 50)]
+    bodies = [networks.packing(6, 48, spread=0.2), networks.beam("sc", 5, 50)]
     cases = [(body, body.pairs(REACH)) for body in bodies]
     with tempfile.TemporaryDirectory() as folder:
         program = build(Path(folder), arguments.compiler)

@@ -3,62 +3,21 @@
 the tip deflection and the first frequency of the cantilever, over the exact values of the solid (docs/area.md).
 
 The areas of `area body` come from LAMMPS, those of the rejected formulations are found here; all networks are solved by
-truss_network.py.
+potdem/networks.py.
 
 Usage: tools/area_report.py [--lmp build/lmp] [--quick]       prints the table of docs/area.md in Markdown
 """
 
 import argparse
-import subprocess
-import tempfile
 from pathlib import Path
 
 import numpy as np
 import scipy.sparse
 import scipy.sparse.linalg
-import truss_network as networks
 
-ROOT = Path(__file__).resolve().parent.parent
-SCRIPT = """units si
-newton on off
-atom_style bpm/sphere
-boundary f f f
-read_data particles.data
-potdem_bonds all 1 {reach:.17g} diameters
-pair_style potdem/truss
-pair_coeff * * 1 0.5
-bond_style potdem/truss
-bond_coeff * 1 area {area}
-compute ends all property/local batom1 batom2
-compute areas all bond/local b3
-dump areas all local 1 areas.dump c_ends[1] c_ends[2] c_areas
-dump_modify areas format float %.17g
-run 0
-"""
-
-
-def areas_in_lammps(lmp, body, pairs, reach, area):
-    """the sections of the pairs, in their order; None where the package refuses"""
-    density = body.v / (np.pi / 6 * body.d**3)    # mass = volume of the solid
-    low, high = body.x.min() - 1.0, body.x.max() + 1.0
-    lines = [f"particles\n\n{len(body.x)} atoms\n1 atom types\n1 bond types\n200 extra bond per atom\n"
-             "200 extra special per atom\n"]
-    lines += [f"{low} {high} {k}lo {k}hi" for k in "xyz"] + ["\nAtoms # bpm/sphere\n"]
-    lines += [f"{i + 1} 0 1 {d:.17g} {rho:.17g} {x[0]:.17g} {x[1]:.17g} {x[2]:.17g}"
-              for i, (x, d, rho) in enumerate(zip(body.x, body.d, density))]
-    with tempfile.TemporaryDirectory() as folder:
-        folder = Path(folder)
-        (folder / "particles.data").write_text("\n".join(lines) + "\n")
-        (folder / "in.areas").write_text(SCRIPT.format(reach=reach, area=area))
-        done = subprocess.run([lmp, "-in", "in.areas", "-log", "none"], cwd=folder, capture_output=True, text=True, check=False)
-        if done.returncode:
-            return None
-        text = (folder / "areas.dump").read_text().split("ITEM: ENTRIES")[1].splitlines()[1:]
-    found = {}
-    for line in text:
-        i, j, section = line.split()
-        found[tuple(sorted((int(i) - 1, int(j) - 1)))] = float(section)
-    return np.array([found[tuple(sorted(pair))] for pair in pairs.tolist()])
+from potdem import networks
+from potdem.paths import LMP
+from potdem.sections import areas_in_lammps
 
 
 class Bonds:
@@ -117,18 +76,18 @@ def patch(body, bonds):
 def bodies(quick):
     """(name, r_infl, depth, body)"""
     reaches = (2.0,) if quick else (1.42, 1.75, 2.0, 2.5)
-    for lattice, depths in (("cubic", (5, 10)), ("fcc", (5.6, 9.9)), ("hcp", (5, 10)), ("bcc", (4.6, 9.2))):
+    for lattice, depths in (("sc", (5, 10)), ("fcc", (5.6, 9.9)), ("hcp", (5, 10)), ("bcc", (4.6, 9.2))):
         for k, depth in enumerate(depths):
             body = networks.beam(lattice, depth, 50 if k == 0 else 80)
-            for reach in reaches if k == 0 and lattice in ("cubic", "fcc") else (2.0,):
-                yield lattice, reach, body
+            for reach in reaches if k == 0 and lattice in ("sc", "fcc") else (2.0,):
+                yield {"sc": "cubic"}.get(lattice, lattice), reach, body
     for depth in (6, 10):
         yield "random", 2.0, networks.packing(depth, 8 * depth, spread=0.2)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--lmp", default=ROOT / "build" / "lmp", type=lambda name: Path(name).resolve())
+    parser.add_argument("--lmp", default=LMP, type=lambda name: Path(name).resolve())
     parser.add_argument("--quick", action="store_true", help="r_infl = 2 d only")
     arguments = parser.parse_args()
     print("| body | depth | $r_{\\mathrm{infl}}/d$ | area | axial | bending | tip | frequency | clamp |")

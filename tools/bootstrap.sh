@@ -1,10 +1,13 @@
-# Sourced by examples/run and unittest/run: installs what is missing and builds.
+# Sourced by examples/run, unittest/run, bench/run, tools/report and tools/python: says where Python finds this
+# project's package, installs what is missing and builds.
 # The Debian packages are named here and nowhere else.
 # shellcheck shell=bash
 
 POTDEM_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export POTDEM_BUILD=$POTDEM_ROOT/build
 export POTDEM_PYTHON=/usr/bin/python3
+# the Python package that examples, tests, benchmarks and tools share: tools/potdem
+export PYTHONPATH=$POTDEM_ROOT/tools${PYTHONPATH:+:$PYTHONPATH}
 POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev libgmock-dev libyaml-dev
                  curl ca-certificates python3 python3-numpy python3-scipy python3-matplotlib python3-yaml
                  python3-pytest)

@@ -2,7 +2,7 @@
 """Convergence of a cantilever with the number of particles through the depth, r_infl/d fixed: tip deflection and first
 frequency against Timoshenko's beam, for the three area modes and the two places where the clamp may be taken to act.
 
-LAMMPS finds the areas; the quarter of the beam that symmetry leaves is solved by truss_network.py.
+LAMMPS finds the areas; the quarter of the beam that symmetry leaves is solved by potdem/networks.py.
 
 Usage: tools/convergence.py [--lmp build/lmp] [--depths 3 5 7 ...]      writes docs/convergence.md and docs/convergence.png
 """
@@ -12,11 +12,14 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
-import truss_network as networks
-from area_report import ROOT, areas_in_lammps
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
+
+from potdem import networks  # noqa: E402
+from potdem.beams import Beam  # noqa: E402
+from potdem.paths import DOCS, LMP  # noqa: E402
+from potdem.sections import areas_in_lammps  # noqa: E402
 
 DEPTHS = (3, 5, 7, 10, 14, 20)
 SLENDERNESS, REACH, HELD = 10, 2.0, 2
@@ -27,7 +30,7 @@ PAGE = """# Convergence with the number of particles through the depth
 
 Made by `tools/convergence.py`. Cantilevers of simple cubic packing, $r_{{\\mathrm{{infl}}}}=2d$, {slenderness} depths long and square in section, two
 more layers held. The sections come from LAMMPS. The small displacements under a load on the last layer and the first
-mode are solved directly (`tools/truss_network.py`) in the quarter of the beam that the two planes of symmetry leave, 80 000 particles for 20
+mode are solved directly (`tools/potdem/networks.py`) in the quarter of the beam that the two planes of symmetry leave, 80 000 particles for 20
 through the depth; the quarter has the deflection of the whole within 3·10⁻⁵.
 
 ![Errors against the number of particles](convergence.png)
@@ -53,7 +56,7 @@ Order: slope of $\\log|\\text{{error}}|$ over $\\log n$, least squares over all 
 
 def errors(lmp, n, area):
     """{(what, clamp): error} of a cantilever of n particles through the depth"""
-    body = networks.beam("cubic", n, SLENDERNESS * n + HELD)
+    body = networks.beam("sc", n, SLENDERNESS * n + HELD)
     pairs = body.pairs(REACH)
     sections = areas_in_lammps(lmp, body, pairs, REACH, area)
     x = body.x - [HELD, 0.5 * body.size[1], 0.5 * body.size[2]]
@@ -63,11 +66,12 @@ def errors(lmp, n, area):
     force[tip, 2] = 1 / tip.sum()
     deflection = network.displacement(force)[tip, 2].mean()
     frequency = network.first_frequency(body.v, 2)
-    exact, length = networks.Timoshenko(n, n), SLENDERNESS * n
+    length = SLENDERNESS * n
     found = {}
     for clamp, behind in CLAMPS.items():
-        found["tip", clamp] = deflection / exact.tip(length - 0.5 + behind) - 1
-        found["frequency", clamp] = frequency / exact.first_frequency(length + behind) - 1
+        exact = Beam(length + behind, n, n, shear_factor=5 / 6)
+        found["tip", clamp] = deflection / exact.static(length - 0.5 + behind) - 1
+        found["frequency", clamp] = frequency / exact.first_frequency() - 1
     return found
 
 
@@ -123,7 +127,7 @@ def within(depths, results, area, clamp):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--lmp", default=ROOT / "build" / "lmp", type=lambda name: Path(name).resolve())
+    parser.add_argument("--lmp", default=LMP, type=lambda name: Path(name).resolve())
     parser.add_argument("--depths", nargs="+", type=int, default=DEPTHS)
     arguments = parser.parse_args()
     results = {}
@@ -131,9 +135,8 @@ def main():
         for area in MODES:
             results[area, n] = errors(arguments.lmp, n, area)
             print(area, n, {" ".join(key): f"{100 * value:+.2f} %" for key, value in results[area, n].items()}, flush=True)
-    docs = ROOT / "docs"
-    draw(arguments.depths, results, docs / "convergence.png")
-    (docs / "convergence.md").write_text(PAGE.format(
+    draw(arguments.depths, results, DOCS / "convergence.png")
+    (DOCS / "convergence.md").write_text(PAGE.format(
         slenderness=SLENDERNESS, floor=FLOOR, table=table(arguments.depths, results), best=within(arguments.depths, results, "body", "layer"),
         lattice=within(arguments.depths, results, "lattice", "plane")), encoding="utf-8")
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """packing.py [SEED]: writes random.data, a random packing (62 % dense, diameters within 20 %) in a box of 32 x 6 x 6 mean
 diameters, for in.bar-strength. The mass of a particle is its share of the box."""
 
@@ -7,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import networks
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent / "tools"))
-import truss_network as networks  # noqa: E402
 
 
 def main(seed=1):

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER PICTURE.png: the bar after it has parted, motion enlarged, coloured by the axial stress, and stress
 against strain until then, for a run (build/examples/bar-strength/<variant>.np<ranks>)."""
 
@@ -7,14 +6,13 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+from matplotlib import pyplot
 from matplotlib.colors import Normalize
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import dumpfile  # noqa: E402
-import picture  # noqa: E402
-import strengths  # noqa: E402
-from matplotlib import pyplot  # noqa: E402
+from potdem import dumps, picture
+from potdem.scenes.scene import beside
+
+strengths = beside(__file__, "strengths")
 
 LARGER = 60    # times the motion is shown
 SCALE, COLOURS = Normalize(-0.5, 0.5), matplotlib.colormaps["coolwarm"]
@@ -33,7 +31,7 @@ def draw(axis, start, end, strength):
 def main(folder, path):
     log = next(Path(folder).glob("log*"))
     given, _, peak, _, curve = strengths.measured(log)
-    start, end = dumpfile.read(Path(folder) / "dump.bar-strength")
+    start, end = dumps.read(Path(folder) / "dump.bar-strength")
     figure, (top, bottom) = pyplot.subplots(2, 1, figsize=(9, 6), height_ratios=[1, 1.6], layout="constrained")
     draw(top, start, end, float(given["ft"]))
     figure.colorbar(matplotlib.cm.ScalarMappable(SCALE, COLOURS), ax=top, label="axial stress over $f_t$", shrink=0.9)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Strength of the bars over f_t: measured, and of the bonds' directions.
 
   strengths.py [LOG ...]             prints the tables of the README (reference logs if none are named)
@@ -10,24 +9,17 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import lattices, logs
+
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "harness"), str(HERE.parent.parent / "tools")]
-import logfile  # noqa: E402
-import truss_network as networks  # noqa: E402
 
 NU = 0.25        # of area body
-LATTICES = {"sc": "cubic", "fcc": "fcc", "bcc": "bcc", "hcp": "hcp"}
 DIRECTIONS = {"100": (1, 0, 0), "110": (1, 1, 0), "111": (1, 1, 1), "a": (1, 0, 0), "b": (0, 1, 0), "c": (0, 0, 1)}
 
 
 def bond_directions(packing, reach):
-    """of one particle in the lattice"""
-    body = networks.crystal(LATTICES[packing], (7, 7, 7))
-    centre = np.argmin(((body.x - 0.5 * body.size) ** 2).sum(axis=1))
-    lines = body.x - body.x[centre]
-    length = np.linalg.norm(lines, axis=1)
-    near = (length > 0) & (length <= reach * (1 + 1e-6))
-    return lines[near] / length[near, None]
+    """(bonds, 3) of one particle in the lattice"""
+    return lattices.shells(packing, reach)[1]
 
 
 def strength(bonds, along):
@@ -48,15 +40,15 @@ def spread(bonds, count=20000):
 
 def measured(log):
     """parameters; stress over f_t at the first break, largest stress, strain (times E) over f_t there, and the curve"""
-    given = logfile.parameters(Path(log).read_text(encoding="utf-8"))
-    table = logfile.read_thermo(log)
+    given = logs.parameters(logs.read(log))
+    table = logs.read_thermo(log)
     stress, strain = table["v_stress"], table["v_ratio"]
     first, peak = np.argmax(table["f_crack"] > 0), np.argmax(stress)
     return given, stress[first], stress[peak], strain[peak], (strain[: peak + 1], stress[: peak + 1])
 
 
 def formula(given):
-    if given["packing"] not in LATTICES:
+    if given["packing"] not in lattices.CELLS:
         return None
     return strength(bond_directions(given["packing"], float(given["reach"])), DIRECTIONS[given["along"]])
 
@@ -65,9 +57,9 @@ def variant(log):
     return Path(log).name.split(".bar-strength.")[1].rsplit(".g++.", 1)[0]
 
 
-def report(logs):
+def report(paths):
     print("| variant | bonds' directions | first bond | strength |\n|---|---|---|---|")
-    for log in logs:
+    for log in paths:
         given, first, peak, _, _ = measured(log)
         expected = formula(given)
         print(f"| `{variant(log)}` | {'' if expected is None else f'{expected:.3f}'} | {first:.3f} | {peak:.3f} |")
@@ -78,7 +70,7 @@ def report(logs):
             print(f"| {name}, {reach} | {low:.2f} | {mean:.2f} | {high:.2f} |")
 
 
-def draw(logs, path):
+def draw(paths, picture):
     import matplotlib
 
     matplotlib.use("Agg")
@@ -87,7 +79,7 @@ def draw(logs, path):
     groups = {"along an axis": ("sc-100", "fcc-100", "bcc-100", "hcp-a", "hcp-b", "hcp-c"),
               "along a diagonal, and random": ("sc-110", "sc-111", "fcc-110", "fcc-111", "bcc-110", "bcc-111", "random"),
               "along [111], 6 d and 10 d wide": ("sc-111", "wide-sc-111", "fcc-111", "wide-fcc-111")}
-    curves = {variant(log): measured(log)[4] for log in logs}
+    curves = {variant(log): measured(log)[4] for log in paths}
     figure, axes = pyplot.subplots(1, 3, figsize=(14, 4.4), sharey=True, layout="constrained")
     for axis, (title, names) in zip(axes, groups.items()):
         axis.axhspan(0.98, 1.02, color="#e4eadf", zorder=0)
@@ -101,7 +93,7 @@ def draw(logs, path):
         axis.legend(frameon=False, loc="lower right", fontsize=9, title="largest stress over $f_t$")
     axes[0].set_ylabel("stress of the middle third over $f_t$")
     axes[0].text(0.61, 1.022, r"$f_t\pm2\,\%$", va="bottom", fontsize=9)
-    figure.savefig(path, dpi=100)
+    figure.savefig(picture, dpi=100)
 
 
 if __name__ == "__main__":

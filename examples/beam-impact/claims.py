@@ -1,22 +1,17 @@
 """Claims 2 to 5 of the thesis (6.3, Figs 6.3 to 6.11) from finished runs; examples/run all prints them."""
 
-import sys
-from pathlib import Path
+from potdem import dumps, logs
+from potdem.scenes.claim import Claim
+from potdem.scenes.scene import beside
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-sys.path.insert(0, str(HERE))
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
-import scan  # noqa: E402
-from claim import Claim  # noqa: E402
+scan = beside(__file__, "scan")
 
 POSITIONS = ("i", "ii", "iii")
 
 
 def outcome(folder):
     """(does the clamped section part, broken bonds near the block, pieces)"""
-    frames = dumpfile.read(folder / "dump.beam-impact")
+    frames = dumps.read(folder / "dump.beam-impact")
     block = frames[0]["x"][frames[0]["type"] == 2].mean()
     _, _, hit = scan.broken(folder, frames, block)
     found = scan.pieces(frames)
@@ -37,7 +32,7 @@ def contrast(number, folder_of, position, text, thesis):
 
 def deflection(folder, until=0.4):
     """largest downward deflection of the middle section in mm, until the shorter of the runs ends"""
-    table = logfile.read_thermo(next(folder.glob("log.*")))
+    table = logs.read_thermo(next(folder.glob("log.*")))
     return -1e3 * table["v_middle"][table["Time"] <= until].min()
 
 

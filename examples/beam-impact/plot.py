@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the beam and the block at the thesis's three instants, coloured by the
 strain along the beam; a column for each folder of a run (build/examples/beam-impact/<variant>.np<ranks>)."""
 
 import sys
-from pathlib import Path
 
 import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize, to_rgba
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import picture  # noqa: E402
+from potdem import picture
 
 INSTANTS = (0.016, 0.2, 0.4)    # s, Figs 6.3 and 6.4
 STRAIN_LIMIT = 0.06             # the bonds break at 0.067 (f_t / E)

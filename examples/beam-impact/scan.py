@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Where does the beam part, as a function of what the thesis does not state?
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py position=i speed=3,5 damping=0,0.01,0.02,0.03,0.05
@@ -14,10 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import dumps
+from potdem.scenes import scanning
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import scanning  # noqa: E402
 
 LENGTH, WIDTH, SPACING = 0.24, 0.025, 0.005
 PIECE = 20         # particles: less is debris
@@ -39,14 +38,14 @@ def pieces(frames):
 
 def broken(folder, frames, hit):
     """numbers of broken bonds: all, near the clamp, near the middle of the block"""
-    rows = dumpfile.read(folder / "dump.failed")[-1]
+    rows = dumps.read(folder / "dump.failed")[-1]
     started = dict(zip(frames[0]["id"], frames[0]["x"]))
     middles = np.array([(started[i] + started[j]) / 2 for i, j in zip(rows["f_fail[3]"], rows["f_fail[4]"])])
     return middles.size, np.sum(middles < CLAMP_END * LENGTH), np.sum(np.abs(middles - hit) < WIDTH)
 
 
 def measure(folder):
-    frames = dumpfile.read(folder / "dump.beam-impact")
+    frames = dumps.read(folder / "dump.beam-impact")
     block = frames[0]["x"][frames[0]["type"] == 2].mean()
     counts = broken(folder, frames, block)
     found = pieces(frames)

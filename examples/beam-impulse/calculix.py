@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """calculix.py [NAME ...]: writes the input of CalculiX for the references of this scene, runs ccx (Debian's
 calculix-ccx) on it, and writes the deflection of the loaded section against time. Everything is in calculix/, and the
 scene only reads the results: it takes CalculiX, and about 40 minutes, to make them anew.
@@ -6,162 +5,45 @@ scene only reads the results: it takes CalculiX, and about 40 minutes, to make t
 NAME is MODEL-PULSE, MODEL one of
   2d          plane stress, 250 quadratic elements (CPS8), finite displacements
   2d-linear   the same, small displacements
-  2d-layer    as 2d, clamped in the last clamped layer of particles (case.py)
+  2d-layer    as 2d, clamped in the last clamped layer of particles (potdem/struck_beam.py)
   3d          225 quadratic bricks (C3D20R), finite displacements
 """
 
-import itertools
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-import case
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent / "calculix"
+from potdem import calculix, struck_beam
+
+FOLDER = struck_beam.CALCULIX
 STEP = 2e-5     # s; the period of the second bending mode is 1.66 ms
 MODELS = {"2d": {}, "2d-linear": {"finite": False}, "2d-layer": {"clamp": "layer"}, "3d": {"cells": (25, 3, 3)}}
-
-SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
-SIDES = [(1, 0), (2, 1), (1, 2), (0, 1)]
-# offsets of an element's nodes in half elements, in the order of CPS8 and C3D20R
-NODES = {2: SQUARE + SIDES,
-         3: [(*corner, z) for z in (0, 2) for corner in SQUARE] + [(*side, z) for z in (0, 2) for side in SIDES]
-         + [(*corner, 1) for corner in SQUARE]}
-# consistent shares of a uniform traction on the end face of an element: corners, middles of the edges
-SHARES = {2: (1 / 6, 2 / 3), 3: (-1 / 12, 1 / 3)}
-
-
-def halves(points):
-    """the points and those midway between them"""
-    points = np.asarray(points)
-    return np.sort(np.append(points, (points[1:] + points[:-1]) / 2))
-
-
-class Mesh:
-    """a bar of elements along x, deep along y and (3D) wide along z; the last column of elements is the half layer
-    behind the load"""
-
-    def __init__(self, length, loaded, cells):
-        self.cells = cells
-        sizes = (case.DEPTH, case.WIDTH)
-        grid = [halves(np.append(np.linspace(0, loaded, cells[0]), length))]
-        grid += [halves(np.linspace(0, size, count + 1)) for size, count in zip(sizes, cells[1:])]
-        # a quadratic element has nodes at its corners and in the middle of its edges
-        places = [place for place in itertools.product(*(range(len(axis)) for axis in grid))
-                  if sum(k % 2 for k in place) <= 1]
-        self.numbers = {place: number for number, place in enumerate(places, start=1)}
-        self.points = [[axis[k] for axis, k in zip(grid, place)] for place in places]
-
-    @property
-    def dimension(self):
-        return len(self.cells)
-
-    def elements(self):
-        for cell in itertools.product(*(range(count) for count in self.cells)):
-            yield [self.numbers[tuple(2 * c + k for c, k in zip(cell, offset))] for offset in NODES[self.dimension]]
-
-    def clamp(self):
-        return [number for place, number in self.numbers.items() if place[0] == 0]
-
-    def shares(self):
-        """node -> its share of the load"""
-        plane, faces = 2 * (self.cells[0] - 1), np.prod(self.cells[1:])
-        shares = dict.fromkeys((number for place, number in self.numbers.items() if place[0] == plane), 0.0)
-        for cell in itertools.product(*(range(count) for count in self.cells[1:])):
-            for offset in itertools.product(range(3), repeat=self.dimension - 1):
-                number = self.numbers.get((plane, *(2 * c + k for c, k in zip(cell, offset))))
-                if number:
-                    shares[number] += SHARES[self.dimension][sum(k % 2 for k in offset)] / faces
-        return shares
-
-    def text(self):
-        kind = {2: "CPS8", 3: "C3D20R"}[self.dimension]
-        lines = ["*NODE"]
-        lines += [", ".join([str(n), *(f"{x:.9g}" for x in point)]) for n, point in enumerate(self.points, start=1)]
-        lines.append(f"*ELEMENT, TYPE={kind}, ELSET=BEAM")
-        for n, nodes in enumerate(self.elements(), start=1):
-            words = [str(word) for word in (n, *nodes)]
-            lines += [", ".join(words[:11]) + ("," if len(words) > 11 else ""), ", ".join(words[11:])]
-        lines += ["*NSET, NSET=CLAMP", *(f"{n}," for n in self.clamp())]
-        lines += ["*NSET, NSET=LOADED", *(f"{n}," for n in self.shares())]
-        return "\n".join(line for line in lines if line) + "\n"
-
-
-def amplitude(pulse, increment):
-    """corners of the pulse; a jump is spread over one time step, so that the impulse is exact"""
-    corners, value, slope, last = {}, 0.0, 0.0, 0.0
-    for time, step, change in case.PULSES[pulse]:
-        value += slope * (time - last)
-        spread = increment / 2 if step and time > 0 else 0.0
-        corners[time - spread] = value
-        value, slope, last = value + step, slope + change, time
-        corners[time + spread] = value
-    return ", ".join(f"{number:.9g}" for corner in corners.items() for number in corner)
-
-
-def deck(mesh, mesh_file, pulse, finite, increment=STEP, time=case.TIME, every=2):
-    """every: increments between two outputs"""
-    section = f"\n{case.WIDTH:g}" if mesh.dimension == 2 else ""
-    load = "\n".join(f"{n}, 2, {case.FORCE * share:.12g}" for n, share in mesh.shares().items())
-    return f"""*INCLUDE, INPUT={mesh_file}
-*MATERIAL, NAME=SOLID
-*ELASTIC
-{case.MODULUS:g}, {case.POISSON:g}
-*DENSITY
-{case.DENSITY:g}
-*SOLID SECTION, ELSET=BEAM, MATERIAL=SOLID{section}
-*BOUNDARY
-CLAMP, 1, 3
-*AMPLITUDE, NAME=PULSE
-{amplitude(pulse, increment)}
-*STEP, INC=100000{", NLGEOM" if finite else ""}
-*DYNAMIC, DIRECT, ALPHA=0
-{increment:g}, {time:g}
-*CLOAD, AMPLITUDE=PULSE
-{load}
-*NODE PRINT, NSET=LOADED, FREQUENCY={every}
-U
-*END STEP
-"""
-
-
-def history(text, shares):
-    """rows of time and mean deflection, each node weighted with its share of the load"""
-    rows = [[0.0, 0.0]]
-    for line in text.splitlines():
-        start = re.search(r"^ displacements .* time +(\S+)", line)
-        if start:
-            rows.append([float(start.group(1)), 0.0])
-        elif line.split():
-            number, _, deflection, _ = line.split()
-            rows[-1][1] += shares[int(number)] * float(deflection)
-    return np.array(rows)
 
 
 def make(name):
     model, pulse = name.rsplit("-", 1)
     settings = {"cells": (50, 5), "clamp": "half", "finite": True, **MODELS[model]}
-    mesh = Mesh(*case.CLAMPS[settings["clamp"]], settings["cells"])
+    mesh = calculix.Mesh(*struck_beam.CLAMPS[settings["clamp"]], settings["cells"])
     mesh_file = f"mesh-{model.replace('-linear', '')}.inp"
     FOLDER.mkdir(exist_ok=True)
     (FOLDER / mesh_file).write_text(mesh.text(), encoding="utf-8")
-    (FOLDER / f"{name}.inp").write_text(deck(mesh, mesh_file, pulse, settings["finite"]), encoding="utf-8")
+    (FOLDER / f"{name}.inp").write_text(calculix.deck(mesh, mesh_file, pulse, settings["finite"], STEP), encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         for file in (mesh_file, f"{name}.inp"):
             shutil.copy(FOLDER / file, folder)
         done = subprocess.run(["ccx", "-i", name], cwd=folder, check=True, text=True, stdout=subprocess.PIPE)
         if "Job finished" not in done.stdout:
             sys.exit(f"{name}: CalculiX did not finish\n{done.stdout[-2000:]}")
-        rows = history((Path(folder) / f"{name}.dat").read_text(encoding="utf-8"), mesh.shares())
+        rows = calculix.history((Path(folder) / f"{name}.dat").read_text(encoding="utf-8"), mesh.shares())
     np.savetxt(FOLDER / f"{name}.csv", rows, fmt=["%.5e", "%.7e"], delimiter=",", header="time [s],deflection [m]",
                comments="")
     print(f"{name}: {len(rows)} rows, largest deflection {np.abs(rows[:, 1]).max():.6g} m", flush=True)
 
 
 if __name__ == "__main__":
-    for wanted in sys.argv[1:] or [f"{model}-{pulse}" for model in MODELS for pulse in case.PULSES]:
+    for wanted in sys.argv[1:] or [f"{model}-{pulse}" for model in MODELS for pulse in struck_beam.PULSES]:
         make(wanted)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Claim 1 measured: deflection and period against finite elements.
 
   claims.py [LOG ...]      default: the reference logs in this folder
@@ -11,11 +10,10 @@ clamp in the last clamped layer.
 import sys
 from pathlib import Path
 
+from potdem import struck_beam
+from potdem.scenes.claim import Claim
+
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import case  # noqa: E402
-import histories  # noqa: E402
-from claim import Claim  # noqa: E402
 
 MODELS = ("2d", "3d", "2d-linear", "2d-layer")
 AREAS = {"body": "area body", "lattice": "lattice", "factor": "factor 0.4 (the thesis)"}
@@ -32,9 +30,9 @@ def deviations(found, reference):
 
 def report(runs):
     """a table for each pulse"""
-    for pulse in case.PULSES:
-        known = [histories.calculix(model, pulse) for model in MODELS]
-        known += [histories.modal(clamp, pulse) for clamp in case.CLAMPS]
+    for pulse in struck_beam.PULSES:
+        known = [struck_beam.calculix(model, pulse) for model in MODELS]
+        known += [struck_beam.modal(clamp, pulse) for clamp in struck_beam.CLAMPS]
         found = {history.label: numbers(history) for history in known + [h for which, h in runs if which == pulse]}
         half, layer = found["CalculiX 2d"], found["CalculiX 2d-layer"]
         print(f"\n{pulse:32} peak [mm]  period [ms]   from 2d: peak  period   from 2d-layer: peak  period")
@@ -48,9 +46,9 @@ def claims(folder_of):
     worst, texts = {}, []
     for area, name in AREAS.items():
         pairs = []
-        for pulse in case.PULSES:
-            _, history = histories.lammps(next(folder_of(f"{pulse}-{area}-2.00").glob("log*")))
-            pairs.append(deviations(numbers(history), numbers(histories.calculix("2d", pulse))))
+        for pulse in struck_beam.PULSES:
+            _, history = struck_beam.lammps(next(folder_of(f"{pulse}-{area}-2.00").glob("log*")))
+            pairs.append(deviations(numbers(history), numbers(struck_beam.calculix("2d", pulse))))
         worst[area] = max(abs(value) for pair in pairs for value in pair)
         texts.append(f"{name} {pairs[0][0]:+.1f}, {pairs[1][0]:+.1f} % and {pairs[0][1]:+.1f}, {pairs[1][1]:+.1f} %")
     measured = "peak (two pulses) and period off by: " + "; ".join(texts)
@@ -60,4 +58,4 @@ def claims(folder_of):
 
 if __name__ == "__main__":
     logs = [Path(name) for name in sys.argv[1:]] or sorted(HERE.glob("log.*.g++.1"))
-    report([histories.lammps(log) for log in logs])
+    report([struck_beam.lammps(log) for log in logs])

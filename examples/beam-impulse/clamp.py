@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Where does the clamp act? Static deflection of the truss network of this scene under a load on its end layer, by
 sparse linear algebra (no LAMMPS), all bonds with the same section. The curvature and the shear of the middle third
 give the bending stiffness E I and the shear stiffness of the network, and the clamp is put where a Timoshenko
@@ -6,36 +5,26 @@ beam with these has the deflection of the end layer. Prints E I over the exact o
 in d from the plane midway between the last clamped and the first free layer (the last clamped layer is at -0.5).
 """
 
-import sys
-from pathlib import Path
-
 import numpy as np
 from scipy.optimize import brentq
-from scipy.sparse.linalg import splu
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "harness"), str(HERE.parent / "uniform-tension")]
-import lattice  # noqa: E402
-import network  # noqa: E402
+from potdem import lattices, networks
 
 SIDE, LENGTH, CLAMPED = 5, 48, 2    # layers
 REACHES = (1.42, 1.75, 2.0, 2.5)
 
 
 def deflected(reach):
-    """positions and displacements under a unit load across the end layer; E = d = 1, area factor 1"""
+    """positions and displacements (layers, particles of a layer, 3) of the free particles under a unit load across the end layer; E = d = 1, area factor 1"""
     layers = np.arange(-CLAMPED, LENGTH) + 0.5
     across = np.arange(SIDE) - (SIDE - 1) / 2
     points = np.stack(np.meshgrid(layers, across, across, indexing="ij"), axis=-1).reshape(-1, 3)
-    matrix = network.stiffness(points, network.bonds(points, reach), lattice.SECTION)
-    free = np.repeat(points[:, 0] > 0, 3)
+    free = points[:, 0] > 0
+    network = networks.Network(points, networks.bonds(points, reach), lattices.SECTION, ~free)
     load = np.zeros_like(points)
     load[points[:, 0] > LENGTH - 1, 2] = 1 / SIDE**2
-    moved = np.zeros(points.size)
-    moved[free] = splu(matrix[free][:, free].tocsc()).solve(load.ravel()[free])
-    keep = points[:, 0] > 0
     shape = (LENGTH, SIDE**2, 3)
-    return points[keep].reshape(shape), moved.reshape(-1, 3)[keep].reshape(shape)
+    return points[free].reshape(shape), network.displacement(load)[free].reshape(shape)
 
 
 def measure(reach):
@@ -60,4 +49,4 @@ if __name__ == "__main__":
     for radius in REACHES:
         found, place = measure(radius)
         relative = found / (SIDE**4 / 12)
-        print(f"{radius:8.2f} {0.4 * relative:16.3f} {lattice.infinite('sc', radius)[1] * relative:13.3f} {place:7.2f}")
+        print(f"{radius:8.2f} {0.4 * relative:16.3f} {lattices.infinite('sc', radius)[1] * relative:13.3f} {place:7.2f}")

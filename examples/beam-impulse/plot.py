@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: deflection of the loaded section against time for the runs in the folders
 (build/examples/beam-impulse/<variant>.np<ranks>) and the references, a panel for each pulse."""
 
@@ -9,11 +8,9 @@ import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import case  # noqa: E402
-import histories  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
+
+from potdem import struck_beam  # noqa: E402
 
 TITLES = {"f1": "$f_1$: rectangle, 1 ms", "f2": "$f_2$: triangle, 2 ms"}
 RUNS = ("#d1495b", "#3b7dd8", "#2a9d5c", "#8d6cab", "#b5651d", "#4b4b4b", "#d08c2e", "#6fb1b5")
@@ -24,10 +21,10 @@ def show(axis, history, label, **style):
 
 
 def references(axis, pulse):
-    show(axis, histories.calculix("2d", pulse), "CalculiX, plane stress", color="#b9c2c9", lw=6)
-    show(axis, histories.calculix("2d-layer", pulse), "… clamped in the layer", color="#efdcb8", lw=6, zorder=1)
-    show(axis, histories.calculix("3d", pulse), "CalculiX, 3D", color="black", lw=1.2, ls=(0, (5, 3)))
-    show(axis, histories.modal("half", pulse), "Timoshenko, modal sum", color="black", lw=1.2, ls=(0, (1, 2)))
+    show(axis, struck_beam.calculix("2d", pulse), "CalculiX, plane stress", color="#b9c2c9", lw=6)
+    show(axis, struck_beam.calculix("2d-layer", pulse), "… clamped in the layer", color="#efdcb8", lw=6, zorder=1)
+    show(axis, struck_beam.calculix("3d", pulse), "CalculiX, 3D", color="black", lw=1.2, ls=(0, (5, 3)))
+    show(axis, struck_beam.modal("half", pulse), "Timoshenko, modal sum", color="black", lw=1.2, ls=(0, (1, 2)))
 
 
 def inset(axis, pulse):
@@ -35,7 +32,7 @@ def inset(axis, pulse):
     small = axis.inset_axes((1.03, 0.82, 0.12, 0.16))
     time = np.linspace(-0.5e-3, 3e-3, 1401)
     value = sum(step * (time >= start) + slope * np.maximum(time - start, 0)
-                for start, step, slope in case.PULSES[pulse])
+                for start, step, slope in struck_beam.PULSES[pulse])
     small.plot(1e3 * time, value, color="black", lw=1)
     small.set_xticks([0, 1, 2])
     small.set_yticks([0, 1])
@@ -46,8 +43,8 @@ def inset(axis, pulse):
 
 def main(*arguments):
     *folders, path = arguments
-    runs = [histories.lammps(next(Path(folder).glob("log*"))) for folder in folders]
-    pulses = [pulse for pulse in case.PULSES if pulse in {run[0] for run in runs}]
+    runs = [struck_beam.lammps(next(Path(folder).glob("log*"))) for folder in folders]
+    pulses = [pulse for pulse in struck_beam.PULSES if pulse in {run[0] for run in runs}]
     pyplot.rcParams.update({"font.size": 10})
     figure, axes = pyplot.subplots(len(pulses), 1, figsize=(12, 4 * len(pulses)), squeeze=False, layout="constrained")
     for axis, pulse in zip(axes.ravel(), pulses):
@@ -56,7 +53,7 @@ def main(*arguments):
             show(axis, history, history.label, color=colour, lw=1.5)
         inset(axis, pulse)
         axis.axhline(0, color="black", lw=0.6)
-        axis.set_xlim(0, 1e3 * case.TIME)
+        axis.set_xlim(0, 1e3 * struck_beam.TIME)
         axis.set_ylabel("deflection at A [mm]")
         axis.set_title(TITLES[pulse], loc="left")
         axis.spines[["top", "right"]].set_visible(False)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Claim 9 measured: how high the grains heap in front of the blade, and where the slip line from its tip meets the surface.
 
   claims.py FOLDER ...                     of examples/run: build/examples/blade-cut/<variant>.np<ranks>
@@ -12,31 +11,33 @@ that the grains over and beyond the line have gone; the mean force on the blade 
 import sys
 from pathlib import Path
 
+from potdem.scenes import scanning
+from potdem.scenes.claim import Claim
+from potdem.scenes.scene import beside
+
+slip_line = beside(__file__, "slip_line")
+
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import scanning  # noqa: E402
-from claim import Claim  # noqa: E402
-from slip_line import BACK, D, LENGTH, THICK, states  # noqa: E402
 
 
 def measure(folder):
     return "; ".join(f"{1e3 * s.way:.0f} mm: heap {1e3 * s.heap:.0f} mm, slip line {1e3 * s.meets:.0f} mm ahead, {s.angle:.0f} deg, "
-                     f"{s.over:.2f} over, {s.beyond:.2f} beyond, {s.force:.1f} N" for s in states(folder))
+                     f"{s.over:.2f} over, {s.beyond:.2f} beyond, {s.force:.1f} N" for s in slip_line.states(folder))
 
 
 def heaps(first, second):
     """over one diameter, and more of it later"""
-    return D < first.heap < second.heap
+    return slip_line.D < first.heap < second.heap
 
 
 def slips(one):
     """a line that rises away from the blade and meets the surface before the last column at the wall, with a block over it"""
-    return 0 < one.meets < LENGTH - D - BACK - THICK - one.way and one.over > 2 * one.beyond
+    return 0 < one.meets < slip_line.LENGTH - slip_line.D - slip_line.BACK - slip_line.THICK - one.way and one.over > 2 * one.beyond
 
 
 def claims(folder_of):
     """for the table of examples/run all"""
-    runs = {name: states(folder_of(name)) for name in ("fast", "slow")}
+    runs = {name: slip_line.states(folder_of(name)) for name in ("fast", "slow")}
     measured = "; ".join(
         f"{name}: heap {1e3 * a.heap:.0f} and {1e3 * b.heap:.0f} mm, slip line meets the surface {1e3 * a.meets:.0f} and "
         f"{1e3 * b.meets:.0f} mm ahead of the blade, at {a.angle:.0f} and {b.angle:.0f} degrees" for name, (a, b) in runs.items())

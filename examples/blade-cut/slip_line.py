@@ -5,16 +5,12 @@ moves when it goes at least half the blade's way. The slip line, in each layer o
 before it and resting grains beyond; it meets the surface where that holds for the highest grains of the columns.
 """
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
+from potdem import dumps, logs
 
 D, LENGTH, WIDTH, BED, TIP, BACK, THICK = 0.02, 0.58, 0.10, 0.16, 0.06, 0.06, 0.02    # m, as in in.blade-cut
 WAYS = (0.1, 0.2)    # m, Fig. 6.23
@@ -39,11 +35,11 @@ class State:
 
 def read(folder):
     """the frames of a run, each with the blade's way; the table of its log"""
-    table = logfile.read_thermo(next(Path(folder).glob("log.*")))
-    frames = dumpfile.read(Path(folder) / "dump.blade-cut")
+    table = logs.read_thermo(next(Path(folder).glob("log.*")))
+    frames = dumps.read(Path(folder) / "dump.blade-cut")
     for frame in frames:
-        frame["way"] = float(np.interp(frame["timestep"], table["Step"], table["v_shift"]))
-        frame["time"] = float(np.interp(frame["timestep"], table["Step"], table["Time"]))
+        frame["way"] = float(np.interp(frame.step, table["Step"], table["v_shift"]))
+        frame["time"] = float(np.interp(frame.step, table["Step"], table["Time"]))
     return frames, table
 
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Claim 10 measured: the final shape of the heap, for several readings of its height and width.
 
   claims.py FOLDER ...                     of examples/run: build/examples/column-drop/<variant>.np<ranks>
@@ -17,12 +16,11 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from potdem import dumps, logs
+from potdem.scenes import scanning
+from potdem.scenes.claim import Claim
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
-import scanning  # noqa: E402
-from claim import Claim  # noqa: E402
 
 D = 0.018              # m, mean diameter
 TOUCH = 0.02 * D       # m: gap that counts as a contact
@@ -48,15 +46,15 @@ def mass_centre(frame):
 
 
 def parameters(folder):
-    given = logfile.parameters(next(Path(folder).glob("log.*")).read_text(encoding="utf-8"))
+    given = logs.parameters(next(Path(folder).glob("log.*")).read_text(encoding="utf-8"))
     return float(given["r0"]), float(given["released"])
 
 
 def shape(folder):
     """(h0/r0, h_f, {reading of r_f: r_f}, share of the grains in the heap)"""
-    frames = dumpfile.read_run(folder, "dump.column-drop")
+    frames = dumps.read_run(folder, "dump.column-drop")
     r0, released = parameters(folder)
-    slender = 2 * mass_centre(dumpfile.at(frames, released)) / r0    # the column is a block
+    slender = 2 * mass_centre(dumps.at(frames, released)) / r0    # the column is a block
     last = frames[-1]
     inside = heap(last)
     x, z, radius = (last[name][inside] for name in ("x", "z", "radius"))

@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the column before the left wall is gone, while it spreads and at the end, coloured by the
 horizontal velocity; a column for each folder of a run (build/examples/column-drop/<variant>.np<ranks>)."""
 
 import sys
-from pathlib import Path
 
 import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import picture  # noqa: E402
+from potdem import picture
 
 RELEASED = 1.2                      # s, the left wall is gone
 INSTANTS = (1.2, 1.4, 1.6, 2.7)     # s

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Claim 6 measured: when the wave reaches the supports, how large the reaction gets, which part of the beam is broken.
 
   claims.py FOLDER ...                     of examples/run: build/examples/concrete-beam/<variant>.np<ranks>
@@ -14,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import dumps
+from potdem.scenes import scanning
+from potdem.scenes.claim import Claim
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import scanning  # noqa: E402
-from claim import Claim  # noqa: E402
 
 SPACING, ACROSS, SUPPORT = 0.035, 8, 17 * 0.035    # m, particles, m: d, n, X of in.concrete-beam
 HAMMER = np.array([-3.5, 4.5]) * SPACING           # m, its faces
@@ -60,7 +59,7 @@ class Reaction:
 
 def beam(frames, instant):
     """of the beam's particles in the box at that instant: where they were at the start, and the frame's columns"""
-    first, now = frames[0], dumpfile.at(frames, instant)
+    first, now = frames[0], dumps.at(frames, instant)
     rows = np.searchsorted(first["id"], now["id"])
     chosen = now["type"] == 1
     start = {name: first[name][rows][chosen] for name in ("x", "z", "c_bonds")}
@@ -89,7 +88,7 @@ def pieces(frames, instant=0.1):
 
 
 def measure(folder):
-    frames, reaction = dumpfile.read_run(folder, "dump.concrete-beam"), Reaction(folder)
+    frames, reaction = dumps.read_run(folder, "dump.concrete-beam"), Reaction(folder)
     when, pulse = reaction.arrival()
     peak, at_peak = reaction.peak()
     zone = " ".join(f"{100 * width:.0f}" for width in widths(frames))
@@ -141,7 +140,7 @@ def spared(slow, fast):
 def claims(folder_of):
     broken = [Reaction(folder_of(f"v{speed}")) for speed in SPEEDS]
     whole = [Reaction(folder_of(f"v{speed}-unbroken")) for speed in SPEEDS]
-    slow, fast = (dumpfile.read_run(folder_of(name), "dump.concrete-beam") for name in ("v2", "v4"))
+    slow, fast = (dumps.read_run(folder_of(name), "dump.concrete-beam") for name in ("v2", "v4"))
     return [waves(whole, broken), order(whole, broken), wedge(slow), spared(slow, fast)]
 
 

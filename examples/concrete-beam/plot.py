@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the wave in the beam, and the beam at the thesis's instants, coloured by the bonds
 that its particles have lost; a column for each folder of a run (build/examples/concrete-beam/<variant>.np<ranks>)."""
 
@@ -9,10 +8,7 @@ import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize, to_rgba
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import picture  # noqa: E402
+from potdem import dumps, picture
 
 WAVE = 1.2e-4                            # s, Fig. 6.12a
 INSTANTS = (0.125, 0.25, 0.375, 0.5)     # s after the impact, Figs 6.12b and 6.13
@@ -56,7 +52,7 @@ def main(*arguments):
         variant = Path(folder).resolve().name.split(".")[0]
         films = [WAVE_FILM] + [FILM] * len(INSTANTS)
         for axis, film, instant in zip(column, films, (WAVE, *(LATER if variant.startswith("v4") else INSTANTS))):
-            film.draw(axis, dumpfile.at(frames, instant))
+            film.draw(axis, dumps.at(frames, instant))
             axis.text(0.0, 0.99, f"{variant}, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
     for rows, film in ((axes[:1], WAVE_FILM), (axes[1:], FILM)):
         film.colour_bar(figure, rows.ravel(), shrink=0.6, pad=0.01, aspect=40)

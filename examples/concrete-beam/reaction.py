@@ -1,15 +1,13 @@
-#!/usr/bin/python3
 """reaction.py FOLDER PICTURE.png: the reaction of both supports against time for the four speeds, with failure and without;
 FOLDER holds the runs (build/examples/concrete-beam)."""
 
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-sys.path.insert(0, str(HERE))
-import claims  # noqa: E402
-from picture import plt  # noqa: E402
+from potdem.picture import plt
+from potdem.scenes.scene import beside
+
+claims = beside(__file__, "claims")
 
 COLOURS = ("#30507a", "#3d9a8b", "#d99b2b", "#b5402f")    # of the speeds
 PANELS = (("", 0.3, 1.0, "N", "first pulse of the wave, with failure"),

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER PICTURE.png: energy, force and stiffness of a run (build/examples/contact-laws/<law>.np1) over the
 formula. Ends with an error where LAMMPS and the formula differ by more than the tolerance."""
 
@@ -9,11 +8,9 @@ import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import formulas  # noqa: E402
-import logfile  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
+
+from potdem import formulas, logs  # noqa: E402
 
 TOLERANCE = 1e-10
 # first derivative, central, of eighth order
@@ -25,7 +22,7 @@ QUANTITIES = ((r"energy $\Phi$", "mJ", 1e3), ("force $F$, > 0 repels", "N", 1.0)
 
 def parameters(text):
     """name of the law, and its coefficients"""
-    words = logfile.parameters(text)
+    words = logs.parameters(text)
     return words.pop("law"), {name: float(value) for name, value in words.items()}
 
 
@@ -78,7 +75,7 @@ def main(folder, path):
     log = next(Path(folder).glob("log*"))
     name, values = parameters(log.read_text(encoding="utf-8"))
     law = formulas.LAWS[name](values)
-    table = logfile.read_thermo(log)
+    table = logs.read_thermo(log)
     r = table["v_r"]
     found = (table["PotEng"], table["v_force"], differences(r, table["v_force"], law.ends))
     functions = (law.phi, law.force, law.stiffness)

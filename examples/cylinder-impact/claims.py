@@ -1,18 +1,14 @@
 """Claim 8 of the thesis (6.6, Figs 6.19 to 6.21) from finished runs; examples/run all prints it."""
 
-import sys
-from pathlib import Path
+from potdem import logs
+from potdem.scenes.claim import Claim
+from potdem.scenes.scene import beside
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-sys.path.insert(0, str(HERE))
-import logfile  # noqa: E402
-import scan  # noqa: E402
-from claim import Claim  # noqa: E402
+scan = beside(__file__, "scan")
 
 
 def table_of(folder):
-    return logfile.read_thermo(next(folder.glob("log.*")))
+    return logs.read_thermo(next(folder.glob("log.*")))
 
 
 def share(row, *names):

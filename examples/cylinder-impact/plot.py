@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the cylinder at the thesis's four instants, coloured by the vertical
 velocity, and the sizes of its pieces against time; a column for each folder of a run
 (build/examples/cylinder-impact/<variant>.np<ranks>)."""
@@ -10,11 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
-import picture  # noqa: E402
+from potdem import dumps, logs, picture
 
 INSTANTS = (0.04, 0.2, 0.4, 0.8)            # s, Figs 6.19 and 6.20
 ELASTIC_INSTANTS = (0.02, 0.1, 0.2, 0.4)    # s, Fig. 6.21
@@ -57,9 +52,9 @@ def main(*arguments):
         frames = FILM.frames(folder)
         strength = Path(folder).resolve().name.split(".")[0]
         for axis, instant in zip(column, ELASTIC_INSTANTS if strength == "2e8" else INSTANTS):
-            draw(axis, dumpfile.at(frames, instant))
+            draw(axis, dumps.at(frames, instant))
             axis.text(0.0, 0.98, f"$f_t$ = {strength} Pa, t = {instant:g} s", transform=axis.transAxes, fontsize=11, va="top")
-        draw_sizes(column[-1], logfile.read_thermo(next(Path(folder).glob("log.*"))))
+        draw_sizes(column[-1], logs.read_thermo(next(Path(folder).glob("log.*"))))
     FILM.colour_bar(figure, axes[:-1].ravel(), shrink=0.4, pad=0.01)
     figure.savefig(path, dpi=100)
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """How does the cylinder break, as a function of what the thesis does not state?
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py strength=2e5,4e5,1e6 damping=0,0.05,0.2
@@ -14,10 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import logs
+from potdem.scenes import scanning
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import logfile  # noqa: E402
-import scanning  # noqa: E402
 
 PARTICLES = 2275
 INSTANTS = (0.2, 0.4, 0.8)    # s
@@ -36,7 +35,7 @@ def rebound(table):
 
 
 def measure(folder):
-    table = logfile.read_thermo(next(folder.glob("log.*")))
+    table = logs.read_thermo(next(folder.glob("log.*")))
     leaves = rebound(table)
     words = ["leaves at %.3f s with %.2f m/s" % leaves if leaves else "stays"]
     for instant in (t for t in INSTANTS if t <= table["Time"][-1] + 1e-9):

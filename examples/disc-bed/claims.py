@@ -1,16 +1,10 @@
 """Claim 11 of the thesis (6.9, Fig. 6.27) from finished runs; examples/run all prints it."""
 
-import sys
-from pathlib import Path
+from potdem import logs
+from potdem.scenes.claim import Claim
+from potdem.scenes.scene import beside
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import logfile  # noqa: E402
-from claim import Claim  # noqa: E402
-from scene import Scene  # noqa: E402
-
-scan = Scene("disc-bed").load(HERE / "scan.py")
-
+scan = beside(__file__, "scan")
 
 LEAST_RISE = (scan.SPEED / 10) ** 2 / (2 * 9.81)    # m: a tenth of the velocity of the impact is left
 
@@ -37,6 +31,6 @@ def displaces(disc):
 
 
 def claims(folder_of):
-    disc, unbreakable = (scan.outcome(logfile.read_thermo(next(folder_of(variant).glob("log.*"))))
+    disc, unbreakable = (scan.outcome(logs.read_thermo(next(folder_of(variant).glob("log.*"))))
                          for variant in ("disc", "unbreakable"))
     return [rebounds(disc, unbreakable), breaks(disc), displaces(disc)]

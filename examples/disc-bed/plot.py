@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: disc and bed at the thesis's four instants, in the plane of the disc, the bed
 grey, the disc coloured by the share of its bonds that a particle has lost; below, what happens against time. A column for
 each folder of a run (build/examples/disc-bed/<variant>.np<ranks>)."""
@@ -10,11 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
-import picture  # noqa: E402
+from potdem import dumps, logs, picture
 
 RELEASE = 0.1                          # s, when the disc is let go
 INSTANTS = (0.03, 0.12, 0.66, 1.47)    # s after it, Fig. 6.27
@@ -64,9 +59,9 @@ def main(*arguments):
         frames = FILM.frames(folder)
         variant = Path(folder).resolve().name.split(".")[0]
         for axis, instant in zip(row, EARLY if variant == "unbreakable" else INSTANTS):
-            draw(axis, dumpfile.at(frames, RELEASE + instant))
+            draw(axis, dumps.at(frames, RELEASE + instant))
             axis.set_title(f"{variant}, t = {instant:g} s", fontsize=11)
-        draw_history(row[-1], logfile.read_thermo(next(Path(folder).glob("log.*"))))
+        draw_history(row[-1], logs.read_thermo(next(Path(folder).glob("log.*"))))
     FILM.colour_bar(figure, axes[:, :-1].ravel(), shrink=0.4, pad=0.02)
     figure.savefig(path, dpi=90)
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """How does the disc rebound and break, and what does the bed do, as a function of what the thesis does not state?
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py damping=0,0.05 mu=0,0.3 time=0.4 picture=no
@@ -12,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem import logs
+from potdem.scenes import scanning
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import logfile  # noqa: E402
-import scanning  # noqa: E402
 
 BONDS, PARTICLES, GRAINS, SPEED = 16466, 1260, 1581, 5.0
 
@@ -39,7 +38,7 @@ def outcome(table):
 
 
 def measure(folder):
-    found = outcome(logfile.read_thermo(next(folder.glob("log.*"))))
+    found = outcome(logs.read_thermo(next(folder.glob("log.*"))))
     return ("upwards: largest piece {speed:.2f} m/s, disc {speed_all:.2f}, which rises {rise:.3f} m; {broken:.0f} broken, {pieces:.0f} pieces, largest "
             "{largest:.0f}, single {single:.0f}; depth {depth:.3f} m; highest grain {high:.2f} m; moved more than d: "
             "{far:.0f}, at the end {far_end:.0f}").format(**found)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER PICTURE.png: a run (build/examples/elastic-statics/<variant>.np<ranks>) over the exact answer:
 displacements of the layers of particles, or, for the plate with a hole, the stress. Ends with an error where an answer
 that should be exact is not."""
@@ -10,12 +9,12 @@ import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import dumpfile  # noqa: E402
-import logfile  # noqa: E402
-import solutions  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
+
+from potdem import dumps, logs  # noqa: E402
+from potdem.scenes.scene import beside  # noqa: E402
+
+solutions = beside(__file__, "solutions")
 
 EXACT = 1e-5      # uniform shear: loads of 1e-6 on a law that is linear to first order
 KIRSCH = 0.05     # of the stress, from two spacings off the hole on
@@ -78,10 +77,10 @@ def hole(figure, frame, hole_radius, small):
 def main(folder, path):
     folder = Path(folder)
     log = next(folder.glob("log*"))
-    given = logfile.parameters(log.read_text(encoding="utf-8"))
+    given = logs.parameters(log.read_text(encoding="utf-8"))
     body = given.pop("body")
     values = {name: float(value) for name, value in given.items()}
-    frame = dumpfile.read(folder / "dump.elastic-statics")[-1]
+    frame = dumps.read(folder / "dump.elastic-statics")[-1]
     figure = pyplot.figure(figsize=(11 if body == "hole" else 6, 4.2), layout="constrained")
     if body == "hole":
         worst, axis = hole(figure, frame, values["hole"], values["small"])
@@ -90,7 +89,7 @@ def main(folder, path):
         solution = solutions.SOLUTIONS[body](values)
         axis = figure.subplots()
         worst = displacements(axis, solution, frame)
-        worst = max(worst, abs(logfile.read_thermo(log)["v_ratio"][-1] - 1))
+        worst = max(worst, abs(logs.read_thermo(log)["v_ratio"][-1] - 1))
         axis.set_title(solution.title)
         limit = EXACT if body == "shear" else np.inf
     axis.spines[["top", "right"]].set_visible(False)

@@ -5,6 +5,8 @@ from typing import Callable
 
 import numpy as np
 
+from potdem.beams import Beam
+
 
 @dataclass
 class Solution:
@@ -33,11 +35,10 @@ def weight(p):
 def tip(p):
     n, nu, l = p["n"], p["nu"], 47.5
     load = p["small"] * n**3 / 48**2
-    kappa = 10 * (1 + nu) / (12 + 11 * nu)
-    shear_stiffness = kappa * n**2 / (2 * (1 + nu))
+    beam = Beam(l, n, n, poisson=nu)
 
     def deflection(x):
-        return np.where(x > 0, load * (12 / n**4 * (l * x**2 / 2 - x**3 / 6) + x / shear_stiffness), 0.0)
+        return np.where(x > 0, load * beam.static(x, l), 0.0)
 
     return Solution("cantilever with a load at its end", "x", "z", deflection)
 

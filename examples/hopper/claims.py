@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Claim 7 measured: how the right part falls, how many grains stay on the ledges, how fast the others leave.
 
   claims.py FOLDER ...                     of examples/run: build/examples/hopper/<variant>.np<ranks>
@@ -15,11 +14,11 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
+from potdem import dumps
+from potdem.scenes import scanning
+from potdem.scenes.claim import Claim
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import dumpfile  # noqa: E402
-import scanning  # noqa: E402
-from claim import Claim  # noqa: E402
 
 UPPER, LOWER, EDGE, EXIT = 0.32, 0.24, 0.03, 0.04    # m: z0, z1, x0, x1 of in.hopper
 FREE_FALL = 0.8 * 9.81                               # m/s^2, lambda = 0.2
@@ -35,7 +34,7 @@ def places(frame, atoms):
 
 def block(frames):
     """(median velocity over free fall, share of pairs that are still neighbours) of the right part"""
-    first, later = frames[0], dumpfile.at(frames, 0.12)
+    first, later = frames[0], dumps.at(frames, 0.12)
     right = first["id"][first["x"] > EDGE]
     start, _ = places(first, right)
     points, down = places(later, right)
@@ -60,7 +59,7 @@ def exit_velocities(frames):
 
 
 def measure(folder):
-    frames = dumpfile.read_run(folder, "dump.hopper")
+    frames = dumps.read_run(folder, "dump.hopper")
     velocity, together = block(frames)
     counts = "upper %d (%d at rest), lower %d (%d)" % tuple(on_ledges(frames[-1]))
     leaving = " ".join(f"{value:.2f}" for value in exit_velocities(frames))
@@ -69,7 +68,7 @@ def measure(folder):
 
 def claims(folder_of):
     """for the table of examples/run all"""
-    runs = [dumpfile.read_run(folder_of(name), "dump.hopper") for name in ("smooth", "rough-walls", "rough")]
+    runs = [dumps.read_run(folder_of(name), "dump.hopper") for name in ("smooth", "rough-walls", "rough")]
     together = [100 * block(frames)[1] for frames in runs]
     upper, _, lower, _ = np.array([on_ledges(frames[-1]) for frames in runs]).T
     leaving = [exit_velocities(frames) for frames in runs]

@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the grains at the thesis's three instants, coloured by their downward
 velocity; a row for each folder of a run (build/examples/hopper/<variant>.np<ranks>)."""
 
 import sys
-from pathlib import Path
 
 import matplotlib
 import numpy as np
 from matplotlib.colors import Normalize
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "harness"))
-import picture  # noqa: E402
+from potdem import picture
 
 INSTANTS = (0.12, 0.36, 0.8)    # s, Figs 6.16 and 6.17
 SCALE, COLOURS = Normalize(0.0, 2.0), matplotlib.colormaps["turbo"]

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """plot.py FOLDER [FOLDER ...] PICTURE.png: area factor and Poisson's ratio against the influence radius, as in the
 thesis's Fig. 5.8, for the runs in the folders (build/examples/uniform-tension/<variant>.np<ranks>), over the exact
 staircase of the infinite lattice. Prints how far LAMMPS is from lattice.py, and ends with an error where that is more
@@ -11,11 +10,9 @@ import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "harness")]
-import lattice as theory  # noqa: E402
-import logfile  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
+
+from potdem import lattices, logs, networks  # noqa: E402
 
 TOLERANCE = 1e-5    # strains are up to 1e-6, and a truss is linear only to first order
 NAMES = {"sc": "cubic", "fcc": "close-packed (fcc)"}
@@ -30,16 +27,16 @@ class Result:
 
     def __init__(self, folder):
         log = next(Path(folder).glob("log*"))
-        given = logfile.parameters(log.read_text(encoding="utf-8"))
+        given = logs.parameters(log.read_text(encoding="utf-8"))
         self.lattice, self.cells, self.bulk = given["lattice"], int(given["cells"]), given["body"] == "bulk"
-        table = logfile.read_thermo(log)
+        table = logs.read_thermo(log)
         rows = table["Step"] > 0
         columns = ("v_r_infl", "v_a", "v_a_edge", "v_nu")
         self.reach, self.a, self.a_edge, self.nu = (table[name][rows] for name in columns)
 
     @property
     def size(self):
-        return self.cells * theory.CELL[self.lattice]
+        return self.cells * lattices.edge(self.lattice)
 
     @property
     def label(self):
@@ -48,9 +45,9 @@ class Result:
     def deviation(self):
         """the largest relative one of a and nu from theory"""
         if self.bulk:
-            expected = [theory.infinite(self.lattice, reach)[1:3] for reach in self.reach]
+            expected = [lattices.infinite(self.lattice, reach)[1:3] for reach in self.reach]
         else:
-            expected = [theory.free_cube(self.lattice, self.cells, reach) for reach in self.reach]
+            expected = [networks.free_cube(self.lattice, self.cells, reach) for reach in self.reach]
         difference = np.abs(np.column_stack([self.a, self.nu]) - expected)
         return float(np.max(difference / np.maximum(np.abs(expected), TOLERANCE)))
 
@@ -60,7 +57,7 @@ class Result:
 
 def staircase(axis, lattice, column):
     """exact values; the area factor jumps where a shell of neighbours joins"""
-    values = np.array([theory.infinite(lattice, reach)[column] for reach in FINE])
+    values = np.array([lattices.infinite(lattice, reach)[column] for reach in FINE])
     axis.plot(2 * FINE, values, color=INK[lattice], lw=1.4, label=f"exact, infinite {NAMES[lattice]} lattice")
 
 

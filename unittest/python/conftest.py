@@ -2,20 +2,12 @@
 plugin."""
 
 import os
-import subprocess
-import sys
-from dataclasses import dataclass
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "examples" / "harness"))
+from potdem import running
+from potdem.paths import BUILD, ROOT
 
-import logfile  # noqa: E402
-import runner  # noqa: E402
-
-BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build"))
 PLAIN = BUILD / "unittest" / "plain" / "lmp"
 THROUGH_PLUGIN = os.environ.get("POTDEM_STYLES") == "plugin"
 
@@ -40,25 +32,6 @@ def pytest_collection_modifyitems(config, items):
         config.hook.pytest_deselected(items=[item for item in items if item not in repeated])
         items[:] = repeated
     items.sort(key=lambda item: "every_style_is_named" in item.name)
-
-
-@dataclass
-class Run:
-    """what one run of LAMMPS left behind"""
-
-    status: int
-    stdout: str
-    log: str
-
-    @property
-    def thermo(self):
-        """column -> array"""
-        return logfile.thermo(self.log)
-
-    @property
-    def error(self):
-        """the text of the ERROR message on one line, or None"""
-        return logfile.error_message(self.stdout)
 
 
 @pytest.fixture(scope="session")
@@ -86,15 +59,9 @@ def run_lammps(lmp, tmp_path, request):
     must contain that text"""
 
     def run(script_text, nprocs=1, vars=None, cwd=None, expect_error=None, timeout=300):
-        folder = Path(cwd or tmp_path)
-        (folder / "in.test").write_text(script_text)
-        arguments = runner.command(lmp, "in.test", vars or {}, "log.test", nprocs)
-        done = subprocess.run(arguments, cwd=folder, env=runner.environment(), text=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=timeout, check=False)
-        log = folder / "log.test"
-        result = Run(done.returncode, done.stdout, log.read_text() if log.exists() else "")
+        result = running.run(script_text, vars or {}, cwd or tmp_path, nprocs, name="test", log="log.test", limit=timeout, lmp=lmp)
         if request.node.get_closest_marker("every_style"):
-            request.config.named_by_every_style.append(script_text + done.stdout)
+            request.config.named_by_every_style.append(script_text + result.stdout)
         if expect_error is None:
             assert result.status == 0, result.stdout[-3000:]
         else:

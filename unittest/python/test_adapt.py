@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Granular, Hertz, ShiftedLJ, Truss
+
+from potdem import formulas, scripts
+from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss
 
 TIGHT = 1e-12    # rounding of a few operations
 
@@ -138,9 +139,9 @@ run 0
 """ + scripts.result("fx[2]", "pe") + "unfix change\nrun 0\n" + scripts.result("fx[2]", "pe")
     rows = scripts.results(run_lammps(script).stdout)
     for row, E in zip(rows, (1700.0, 1000.0)):
-        modulus = E * scripts.section(1.0, 0.5)
-        assert row[0] == pytest.approx(-scripts.truss_tension(1.05, modulus), rel=1e-10)
-        assert row[1] == pytest.approx(scripts.truss_energy(1.05, 1.0, modulus), rel=1e-10)
+        modulus = E * formulas.section(1.0, 0.5)
+        assert row[0] == pytest.approx(-formulas.truss_tension(1.05, modulus), rel=1e-10)
+        assert row[1] == pytest.approx(formulas.truss_energy(1.05, 1.0, modulus), rel=1e-10)
 
 
 def test_a_bond_keeps_its_strength_when_its_modulus_changes(run_lammps):
@@ -173,9 +174,9 @@ run 0
 """ + scripts.result(*(f"c_s[{k}]" for k in range(1, 7)))
     dist, force, strain, stress, area, reference = scripts.results(run_lammps(script).stdout)[0]
     assert dist == pytest.approx(1.05, rel=TIGHT) and reference == pytest.approx(1.0, rel=TIGHT)
-    assert area == pytest.approx(scripts.section(1.0, 0.5), rel=TIGHT)
+    assert area == pytest.approx(formulas.section(1.0, 0.5), rel=TIGHT)
     assert strain == pytest.approx(0.5 * (1.05**2 - 1), rel=1e-11)
-    assert stress == pytest.approx(scripts.truss_tension(1.05, 1000.0, m=2), rel=1e-11)
+    assert stress == pytest.approx(formulas.truss_tension(1.05, 1000.0, m=2), rel=1e-11)
     assert force == pytest.approx(-stress * area, rel=TIGHT)
 
 

@@ -2,48 +2,22 @@
 
 import numpy as np
 import pytest
-import scripts
-import test_collisions as collision
 import test_energy_ledger as ledger
+
+from potdem import collisions, dumps, scripts
 
 GROWTH = 1.05    # at most, from one evaluation to the next
 ROUNDING = 1e-12
 
 
-def until(time, what=""):
-    """columns and a run that ends at a time"""
-    return f"""
-thermo 1
-thermo_style custom step time dt {what}
-thermo_modify format float {scripts.ALL_DIGITS}
-variable done equal 'time > {time:.17g}'
-fix end all halt 1 v_done != 0 error continue
-run 1000000
-"""
-
-
 # --- a collision: the step falls and rises ----------------------------------------------------------------
-
-SPEED = 1.0
-DURATION = collision.duration(SPEED)
-FLIGHT = 3.0 * DURATION    # before the contact
-
-
-def hertz_collision(fraction, every=1, longest=0.6):
-    """longest step: fraction of it in durations, so that it is halved with the fraction"""
-    pace = f"fix pace all potdem/timestep {every} {fraction} max {fraction * longest * DURATION:.17g}"
-    script = collision.setting(FLIGHT * SPEED, SPEED, "pair_style potdem/hertz\npair_coeff * * "
-                               f"{collision.HERTZ.coeff}\n{pace}\ncompute books all potdem/energy\n")
-    return script.split("thermo 1\n")[0] + "fix move all nve\n" + until(FLIGHT + 1.5 * DURATION,
-                                                                      "f_pace v_r v_u v_f c_books")
-
 
 @pytest.mark.every_style
 @pytest.mark.parametrize("every", [1, 4])
 def test_the_step_that_is_set(run_lammps, every):
     fraction, longest = 0.1, 2.0
-    thermo = run_lammps(hertz_collision(fraction, every, longest)).thermo
-    step, largest = thermo["Dt"], fraction * longest * DURATION
+    thermo = run_lammps(collisions.adaptive(fraction, every, longest)).thermo
+    step, largest = thermo["Dt"], fraction * longest * collisions.DURATION
     wanted = np.minimum(largest, fraction * thermo["f_pace"])
     assert step[0] == wanted[0] == largest
     for k in range(1, len(step)):
@@ -59,20 +33,20 @@ def test_the_step_that_is_set(run_lammps, every):
 
 def test_the_integrator_follows(run_lammps):
     """velocity Verlet with the steps that thermo output shows"""
-    thermo = run_lammps(hertz_collision(0.1, longest=2.0)).thermo
-    h, r, u, f = thermo["Dt"][:-1], thermo["v_r"], thermo["v_u"], thermo["v_f"] / collision.REDUCED
+    thermo = run_lammps(collisions.adaptive(0.1, longest=2.0)).thermo
+    h, r, u, f = thermo["Dt"][:-1], thermo["v_r"], thermo["v_u"], thermo["v_f"] / collisions.REDUCED
     assert np.ptp(h) > 0
     assert r[1:] == pytest.approx(r[:-1] - h * u[:-1] + 0.5 * h**2 * f[:-1], rel=ROUNDING)
-    assert u[1:] == pytest.approx(u[:-1] - 0.5 * h * (f[:-1] + f[1:]), abs=1e-9 * SPEED)
+    assert u[1:] == pytest.approx(u[:-1] - 0.5 * h * (f[:-1] + f[1:]), abs=1e-9 * collisions.SPEED)
 
 
 def collision_errors(run_lammps, fraction):
     """of the duration and of the energy during contact"""
-    thermo = run_lammps(hertz_collision(fraction)).thermo
+    thermo = run_lammps(collisions.adaptive(fraction)).thermo
     r, u, energy = thermo["v_r"], thermo["v_u"], thermo["c_books"]
-    ends = thermo["Time"][-1] - (r[-1] - collision.CONTACT) / -u[-1]
+    ends = thermo["Time"][-1] - (r[-1] - collisions.CONTACT) / -u[-1]
     assert thermo["Dt"].min() < 0.8 * thermo["Dt"].max()
-    return abs(ends - FLIGHT - DURATION) / DURATION, np.ptp(energy) / energy[0]
+    return abs(ends - collisions.FLIGHT - collisions.DURATION) / collisions.DURATION, np.ptp(energy) / energy[0]
 
 
 def test_second_order_in_a_collision(run_lammps):
@@ -112,7 +86,7 @@ fix weight free gravity 9.81 vector 0 0 -1
 fix cracks all potdem/failure 1 tension 2e5
 fix pace free potdem/timestep {every} {fraction} max 1
 compute books all potdem/energy
-""" + until(0.006, "f_cracks c_books c_books[1] bonds")
+""" + collisions.until(0.006, "f_cracks c_books c_books[1] bonds")
 
 
 @pytest.mark.parametrize("every", [1, 10])
@@ -135,7 +109,7 @@ def test_second_order_while_a_beam_breaks(run_lammps, every):
 
 def grains(pace):
     script = ledger.grains(2e-5, pair="potdem/truss", coeff="3e6 0.4 friction 0.3 auto")
-    return script.rsplit("timestep", 1)[0] + pace + until(0.4, "c_ledger c_ledger[*]")
+    return script.rsplit("timestep", 1)[0] + pace + collisions.until(0.4, "c_ledger c_ledger[*]")
 
 
 def test_no_chatter(run_lammps):
@@ -170,7 +144,7 @@ run {steps}
 
 
 def end(tmp_path):
-    _, columns = scripts.read_dump(tmp_path / "end.dump")[-1]
+    columns = dumps.read(tmp_path / "end.dump")[-1]
     return scripts.vectors(columns, "x", "y", "z", "vx", "vy", "vz")
 
 

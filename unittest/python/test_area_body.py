@@ -2,15 +2,12 @@
 solved here, with free surfaces, and compared with the elastic beam."""
 
 import re
-import sys
 
 import numpy as np
 import pytest
-import scripts
-from conftest import ROOT
 
-sys.path.insert(0, str(ROOT / "tools"))
-import truss_network as networks  # noqa: E402
+from potdem import dumps, networks, scripts
+
 
 AREAS = """
 compute ends all property/local batom1 batom2
@@ -52,7 +49,7 @@ neighbor 0.3 bin
 
 def areas_of(folder, name="areas.dump"):
     """pairs (0-based) and areas, in the order of the pairs"""
-    _, table = scripts.read_dump(folder / name)[-1]
+    table = dumps.read(folder / name)[-1]
     columns = list(table.values())
     ends = np.sort(np.stack(columns[:2], axis=1).astype(int), axis=1) - 1
     order = np.lexsort((ends[:, 1], ends[:, 0]))
@@ -68,7 +65,7 @@ def solve_in_lammps(run_lammps, folder, body, reach=2.0, area="body", nprocs=1, 
 
 # The promises for r_infl = 2 d with 5 particles through the depth (issue of the project, docs/area.md): axial stiffness
 # within 1 %, bending within 2 %, tip and frequency, clamped where the free particles begin, within 5 %
-@pytest.mark.parametrize("lattice, depth", [("cubic", 5), ("fcc", 5.6), ("hcp", 5)])
+@pytest.mark.parametrize("lattice, depth", [("sc", 5), ("fcc", 5.6), ("hcp", 5)])
 def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     body = networks.beam(lattice, depth, 40)
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body)
@@ -80,7 +77,7 @@ def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     assert ratio["frequency"] == pytest.approx(1.0, abs=0.05)
 
 
-@pytest.mark.parametrize("lattice, depth", [("cubic", 10), ("fcc", 9.9)])
+@pytest.mark.parametrize("lattice, depth", [("sc", 10), ("fcc", 9.9)])
 def test_ten_particles_through_the_depth(run_lammps, tmp_path, lattice, depth):
     """tip and frequency within 2 %, clamped where the free particles begin"""
     body = networks.beam(lattice, depth, 80)
@@ -146,7 +143,7 @@ def test_both_ends_have_the_same_area(run_lammps, tmp_path):
 def test_areas_come_from_the_restart_file(run_lammps, tmp_path):
     """they belong to the undeformed body: after a restart of the deformed one they are the same to the last bit, and a
     second run does not change them either"""
-    body = networks.beam("cubic", 4, 8)
+    body = networks.beam("sc", 4, 8)
     after = ("change_box all x scale 1.2 remap\nrun 0\nwrite_restart stretched.restart\n" + AREAS.format("second.dump")
              .replace("compute", "#compute"))
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body, after=after)
@@ -160,7 +157,7 @@ def test_areas_come_from_the_restart_file(run_lammps, tmp_path):
 
 def test_data_files_keep_the_mode(run_lammps, tmp_path):
     """write_data keeps `area body density` with the coefficients; the areas are found anew"""
-    body = networks.beam("cubic", 4, 8)
+    body = networks.beam("sc", 4, 8)
     _, _, areas = solve_in_lammps(run_lammps, tmp_path, body, area="body density 2", mass=2 * body.v,
                                   after="write_data body.data nocoeff\nwrite_data coeffs.data\n")
     assert "area body density 2" in (tmp_path / "coeffs.data").read_text()
@@ -172,7 +169,7 @@ def test_data_files_keep_the_mode(run_lammps, tmp_path):
 def test_several_bodies(run_lammps, tmp_path):
     """two equal bodies, in one group or with a type each, have the areas of one alone; a body that is made later does not
     change the first"""
-    one = networks.beam("cubic", 4, 8)
+    one = networks.beam("sc", 4, 8)
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, one)
     gap = np.array([0, 0, one.size[2] + 3.0])
     x = np.concatenate([one.x, one.x + gap]) - 0.5 * one.size
@@ -202,7 +199,7 @@ def test_units(run_lammps, tmp_path):
 
 
 def test_the_log_says_what_was_found(run_lammps, tmp_path):
-    body = networks.beam("cubic", 5, 10)
+    body = networks.beam("sc", 5, 10)
     run, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body)
     line = next(line for line in run.stdout.splitlines() if "area body of" in line)
     count, volume, least, most, start = re.search(
@@ -219,7 +216,7 @@ def test_the_log_says_what_was_found(run_lammps, tmp_path):
     ((5, 5, 5), 1.0, ["area body for bond type 1", "too few to be stiff", "r_infl"]),
 ])
 def test_bodies_that_cannot_be_solids(run_lammps, tmp_path, cells, reach, words):
-    body = networks.crystal("cubic", cells)
+    body = networks.crystal("sc", cells)
     write_particles(tmp_path, body.x, body.d)
     script = HEAD + styles() + f"potdem_bonds all 1 {reach} diameters\nrun 0\n"
     for nprocs in (1, 2):

@@ -2,15 +2,14 @@
 
 import re
 import shutil
-import sys
 
+import area_constants
 import pytest
-from conftest import ROOT
 from test_area_body import solve_in_lammps
 
-sys.path.insert(0, str(ROOT / "tools"))
-import area_constants  # noqa: E402
-import truss_network as networks  # noqa: E402
+
+from potdem import networks
+from potdem.paths import ROOT
 
 
 def test_table_has_every_constant():

@@ -1,7 +1,8 @@
 """Every error names what is wrong and what to do. One case is one wrong line in a script that works."""
 
 import pytest
-import scripts
+
+from potdem import scripts
 
 BOX = scripts.box(20, types=2, bond_types=2)
 ATOMS = scripts.particles([(0, 0, 0, 1.0, 1), (1.0, 0, 0, 1.0, 2)])

@@ -1,7 +1,8 @@
 """Errors of the pair styles potdem/lj, potdem/granular and potdem/hertz, as in test_bad_input.py."""
 
 import pytest
-import scripts
+
+from potdem import scripts
 
 BOX = scripts.box(20, types=2) + "bond_style none\n"
 ATOMS = scripts.particles([(0, 0, 0, 1.0, 1), (1.0, 0, 0, 1.0, 2)])

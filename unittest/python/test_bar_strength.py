@@ -1,21 +1,21 @@
 """Bars that are pulled until they part (examples/bar-strength): strength along the axes of the lattices, and what the
 directions of the bonds say."""
 
-import sys
-
 import numpy as np
 import pytest
-from conftest import ROOT
 
-SCENE = ROOT / "examples" / "bar-strength"
-sys.path.insert(0, str(SCENE))
-import strengths  # noqa: E402
+from potdem.paths import EXAMPLES
+from potdem.scenes.scene import load
+from potdem.text import replaced
+
+SCENE = EXAMPLES / "bar-strength"
+strengths = load(SCENE / "strengths.py")
 
 
 @pytest.mark.parametrize("packing, along", [("sc", "100"), ("hcp", "c")])
 def test_a_short_bar_parts_at_the_strength(run_lammps, tmp_path, packing, along):
     """2 %: area body leaves the strain uneven by so much"""
-    script = (SCENE / "in.bar-strength").read_text().replace("index 24 ", "index 12 ")
+    script = replaced((SCENE / "in.bar-strength").read_text(), "index 24 ", "index 12 ")
     settings = {"packing": packing, "along": along, "rate": "2e-3", "end": "1.2"}
     text = "".join(f"variable {name} index {value}\n" for name, value in settings.items()) + script
     run = run_lammps(text)

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 SHELLS = {1.42: 18, 1.75: 26, 2.0: 32, 2.5: 80}
 
@@ -15,7 +16,7 @@ def bond_count(text):
 
 def listed_bonds(folder, name="bonds.dump"):
     """sorted pairs of IDs in a dump of compute property/local"""
-    _, table = scripts.read_dump(folder / name)[-1]
+    table = dumps.read(folder / name)[-1]
     return sorted(tuple(sorted((int(a), int(b)))) for a, b in zip(table["c_ids[1]"], table["c_ids[2]"]))
 
 
@@ -28,7 +29,7 @@ undump bonds
 
 
 def positions(folder, name="x.dump"):
-    return scripts.vectors(scripts.read_dump(folder / name)[-1][1], "x", "y", "z")
+    return scripts.vectors(dumps.read(folder / name)[-1], "x", "y", "z")
 
 
 def pairs_within(x, reach, period=None):
@@ -101,7 +102,7 @@ def test_two_bodies(run_lammps, tmp_path):
     script += "potdem_bonds low 1 1.42\npotdem_bonds high 2 1.75\n" + DUMP_BONDS + scripts.write_dump("x.dump", "x y z")
     run_lammps(script, nprocs=2)
     x = positions(tmp_path)
-    _, table = scripts.read_dump(tmp_path / "bonds.dump")[-1]
+    table = dumps.read(tmp_path / "bonds.dump")[-1]
     found = {kind: sorted(tuple(sorted((int(a), int(b)))) for a, b, t in
                           zip(table["c_ids[1]"], table["c_ids[2]"], table["c_ids[3]"]) if t == kind) for kind in (1, 2)}
     for kind, side, reach in ((1, x[:, 0] < 0, 1.42), (2, x[:, 0] > 0, 1.75)):
@@ -198,7 +199,7 @@ def test_area_lattice_of_hexagonal_packing(run_lammps, tmp_path, reach):
     script += "compute a all bond/local b3\ndump a all local 1 a.dump c_a\ndump_modify a format float %.17g\nrun 0\n"
     script += scripts.write_dump("x.dump", "x y z")
     run_lammps(script, nprocs=2)
-    areas = scripts.read_dump(tmp_path / "a.dump")[-1][1]["c_a"]
+    areas = dumps.read(tmp_path / "a.dump")[-1]["c_a"]
     assert areas == pytest.approx(areas[0], rel=1e-15)
 
     x, box = positions(tmp_path), np.array([6, 4 * np.sqrt(3), 4 * np.sqrt(8 / 3)])
@@ -241,8 +242,8 @@ def test_energy_of_a_finite_strain(run_lammps):
     bonds = lattice_bonds(CELLS["sc"], 1.0, 2.0)
     length = np.linalg.norm(bonds, axis=1)
     stretched = np.linalg.norm(bonds * [1 + strain, 1, 1], axis=1)
-    modulus = E * scripts.section(1.0, a)
-    per_site = 0.5 * sum(scripts.truss_energy(x, r, modulus) for x, r in zip(stretched / length, length))
+    modulus = E * formulas.section(1.0, a)
+    per_site = 0.5 * sum(formulas.truss_energy(x, r, modulus) for x, r in zip(stretched / length, length))
     assert energy == pytest.approx(125 * per_site, rel=1e-12)
 
 
@@ -257,7 +258,7 @@ def test_overlapping_pair_across_a_crack_starts_from_no_force(run_lammps):
     rows = scripts.results(run_lammps(script).stdout)
     assert np.all(rows[:2, :2] == 0.0)
     assert np.all(rows[:, 2] == 1)    # particles 1 and 3
-    force = -scripts.truss_tension(0.7 / 0.8, 1000.0 * scripts.section(1.0, 0.5))
+    force = -formulas.truss_tension(0.7 / 0.8, 1000.0 * formulas.section(1.0, 0.5))
     assert rows[2, 0] == pytest.approx(force, rel=1e-12)
 
 
@@ -281,7 +282,7 @@ def test_bonds_made_by_lammps_start_from_where_they_are(run_lammps):
     script += scripts.result("ebond")
     rest, stretched = scripts.results(run_lammps(script).stdout)[:, 0]
     assert rest == 0.0
-    assert stretched == pytest.approx(scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.2, 0.5)), rel=1e-12)
+    assert stretched == pytest.approx(formulas.truss_energy(1.1, 1.1, 1000.0 * formulas.section(1.2, 0.5)), rel=1e-12)
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])
@@ -294,5 +295,5 @@ def test_styles_run_before_there_are_bonds(run_lammps, nprocs):
     script += scripts.result("ebond", "bonds")
     before, rest, stretched = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
     assert before.tolist() == [0, 0] and rest.tolist() == [0, 1]
-    expected = scripts.truss_energy(1.1, 1.1, 1000.0 * scripts.section(1.0, 0.5))
+    expected = formulas.truss_energy(1.1, 1.1, 1000.0 * formulas.section(1.0, 0.5))
     assert stretched == pytest.approx([expected, 1], rel=1e-12)

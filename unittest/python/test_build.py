@@ -7,9 +7,10 @@ import subprocess
 import tarfile
 from concurrent.futures import ThreadPoolExecutor
 
-import conftest
 import pytest
-import scripts
+from conftest import PLAIN
+
+from potdem import running, scripts
 
 pytestmark = pytest.mark.built_in
 
@@ -80,17 +81,14 @@ def test_plugin_and_built_in_styles_give_the_same_numbers(root, build, run_lammp
         assert (plugin.thermo[column] == values).all(), column
 
 
-def plain_lammps(plain, script, folder, **environment):
-    """what a LAMMPS that has none of our styles says to a script"""
-    (folder / "in.plain").write_text(script)
-    return subprocess.run([plain, "-in", "in.plain", "-log", "none"], cwd=folder, text=True, check=False,
-                          env={**conftest.runner.environment(), **environment}, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT)
+def plain_lammps(script, folder):
+    """the Run of a script in a LAMMPS that has none of our styles"""
+    return running.run(script, {}, folder, name="plain", lmp=PLAIN)
 
 
 def test_the_plain_lammps_has_no_style_of_ours(root, tmp_path):
     """or the tests through the plugin would not be about the plugin"""
-    text = plain_lammps(conftest.PLAIN, "info styles all\n", tmp_path).stdout
+    text = plain_lammps("info styles all\n", tmp_path).stdout
     assert "bpm/spring" in text
     assert [name for _, name in styles(root) if name in text] == []
 
@@ -106,9 +104,9 @@ thermo_style custom step c_books
 timestep 1e-4
 run 10
 """
-    done = plain_lammps(conftest.PLAIN, script, tmp_path)
+    done = plain_lammps(script, tmp_path)
     assert plugin_list(done) == set(styles(root))
-    assert "ERROR" not in done.stdout and done.returncode == 0, done.stdout[-2000:]
+    assert "ERROR" not in done.stdout and done.ended_well, done.stdout[-2000:]
 
 
 def test_plugin_for_another_version_is_refused(build, run_lammps):

@@ -2,50 +2,13 @@
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Granular, Hertz, ShiftedLJ
 from scipy.integrate import solve_ivp
-from scipy.special import gamma
 
-D1, D2, DENSITY = 1.0, 1.6, 2.0
-MASSES = [scripts.sphere_mass(d, DENSITY) for d in (D1, D2)]
-REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
-CONTACT = 0.5 * (D1 + D2)
-HERTZ = Hertz(3e6, 0.3)
-K = HERTZ.prefactor(D1, D2)
-
-
-def setting(gap, speed, pair):
-    """two particles on the x axis, `gap` beyond contact, approaching; their centre of mass at rest"""
-    v = [speed * MASSES[1] / sum(MASSES), -speed * MASSES[0] / sum(MASSES)]
-    script = scripts.box(40) + "bond_style none\n"
-    script += scripts.particles([(0, 0, 0, D1), (CONTACT + gap, 0, 0, D2)], DENSITY)
-    return script + pair + f"""
-group one id 1
-group two id 2
-velocity one set {v[0]:.17g} 0 0
-velocity two set {v[1]:.17g} 0 0
-variable r equal x[2]-x[1]
-variable u equal vx[1]-vx[2]
-variable f equal fx[2]
-thermo 1
-thermo_style custom step v_r v_u v_f pe ke etotal
-thermo_modify format float {scripts.ALL_DIGITS}
-fix move all nve
-"""
-
+from potdem import dumps, scripts
+from potdem.collisions import CONTACT, D1, D2, DENSITY, HERTZ, K, MASSES, REDUCED, duration, overlap_at_rest, setting
+from potdem.pair_laws import Granular, Hertz, ShiftedLJ
 
 # --- Hertz without damping --------------------------------------------------------------------------------
-
-def overlap_at_rest(speed):
-    """K w^(5/2) 2/5 = m v^2/2"""
-    return (1.25 * REDUCED * speed**2 / K) ** 0.4
-
-
-def duration(speed):
-    """2 w/v times the integral of dx/sqrt(1 - x^(5/2)) from 0 to 1, a Beta function"""
-    return 2 * overlap_at_rest(speed) / speed * np.sqrt(np.pi) * gamma(0.4) / (2.5 * gamma(0.9))
-
 
 def peak(values):
     """maximum of the parabola through the largest value and its neighbours"""
@@ -231,7 +194,7 @@ run 0
 
 def momenta(path):
     """linear momentum, angular momentum with the spins, kinetic energy with that of the spins, spins"""
-    _, table = scripts.read_dump(path)[0]
+    table = dumps.read(path)[0]
     x, v, omega = (scripts.vectors(table, *(name + k for k in "xyz")) for name in ("", "v", "omega"))
     m = table["mass"][:, None]
     inertia = 0.1 * m * table["diameter"][:, None] ** 2
@@ -262,9 +225,9 @@ def test_without_rotation_spins_stay(run_lammps, tmp_path, name):
     assert np.abs(p1 - p0).max() < 1e-12 * sum(MASSES) * 6.0
     assert np.abs(l1 - l0).max() > 1e-3    # 5.18 without rotation does not conserve it
     run_lammps(script.replace("set atom 1 omega 1.0 -7.0 3.0", "").replace("set atom 2 omega 0.3 2.0 -5.0", ""))
-    without = scripts.read_dump(tmp_path / "b.dump")[0][1]
+    without = dumps.read(tmp_path / "b.dump")[0]
     (tmp_path / "c.dump").write_text(with_spin)
-    spinning = scripts.read_dump(tmp_path / "c.dump")[0][1]
+    spinning = dumps.read(tmp_path / "c.dump")[0]
     for column in ("x", "y", "z", "vx", "vy", "vz"):
         assert np.array_equal(without[column], spinning[column])
 
@@ -280,7 +243,7 @@ def test_torque_is_arm_times_friction(run_lammps, tmp_path):
         script += f"group g{k} id {k + 1}\nvelocity g{k} set {v[k][0]} {v[k][1]} {v[k][2]}\n"
         script += f"set atom {k + 1} omega {spins[k][0]} {spins[k][1]} {spins[k][2]}\n"
     run_lammps(script + "run 0\n" + scripts.write_dump("f.dump", "fx fy fz tqx tqy tqz"))
-    _, table = scripts.read_dump(tmp_path / "f.dump")[0]
+    table = dumps.read(tmp_path / "f.dump")[0]
     force, torque = scripts.vectors(table, "fx", "fy", "fz"), scripts.vectors(table, "tqx", "tqy", "tqz")
     arms = np.array([[D1, 0, 0], [-D2, 0, 0]]) / (D1 + D2) * r    # from the centres to the contact
     surface = v + np.cross(spins, arms)

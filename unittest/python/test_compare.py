@@ -1,8 +1,9 @@
 """The comparison with reference logs: what must fail fails."""
 
-import compare
 import numpy as np
 import pytest
+
+from potdem import compare
 
 STEPS = np.arange(0.0, 1000.0, 100.0)
 RULES = {

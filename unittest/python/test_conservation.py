@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-import scripts
 
-MASS = scripts.sphere_mass(1.0)
+from potdem import dumps, formulas, scripts
+
+MASS = formulas.sphere_mass(1.0)
 STEP = 0.02    # about a fiftieth of the shortest period of the scenes below
 
 
@@ -29,7 +30,7 @@ def test_momentum_and_angular_momentum(run_lammps, tmp_path):
     """equal and opposite forces along the line of centres: both conserved to rounding, 1e-16 of the sum of
     the magnitudes times the root of the number of additions (5e5)"""
     run_lammps(free_body(STEP, 1000, 1000, bond="penetration 2"))
-    (_, start), (_, end) = scripts.read_dump(tmp_path / "x.dump")
+    start, end = dumps.read(tmp_path / "x.dump")
     momenta, turning, size = [], [], 0.0
     for columns in (start, end):
         x, v = scripts.vectors(columns, "x", "y", "z"), scripts.vectors(columns, "vx", "vy", "vz")
@@ -107,7 +108,7 @@ def test_momentum_of_a_collision_with_friction(run_lammps, tmp_path):
     script += scripts.write_dump("a.dump", "mass vx vy vz")
     script += "run 500\n" + scripts.write_dump("b.dump", "mass vx vy vz")
     run = run_lammps(script)
-    (_, a), (_, b) = scripts.read_dump(tmp_path / "a.dump")[0], scripts.read_dump(tmp_path / "b.dump")[0]
+    a, b = dumps.read(tmp_path / "a.dump")[0], dumps.read(tmp_path / "b.dump")[0]
     for k in ("vx", "vy", "vz"):
         assert abs(np.sum(a["mass"] * (b[k] - a[k]))) < 1e-13 * np.sum(a["mass"] * np.abs(a[k]) + 1)
     assert run.thermo["TotEng"][-1] < 0.999 * run.thermo["TotEng"][0]

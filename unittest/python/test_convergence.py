@@ -1,21 +1,19 @@
 """tools/convergence.py: cantilevers with more and more particles through the depth."""
 
-import sys
 
+import convergence
 import numpy as np
 import pytest
-from conftest import ROOT
 from scipy.sparse import identity
 
-sys.path.insert(0, str(ROOT / "tools"))
-import convergence  # noqa: E402
-import truss_network as networks  # noqa: E402
+
+from potdem import networks
 
 
 @pytest.mark.parametrize("n", [4, 5])
 def test_a_quarter_stands_for_the_whole(n):
     """equal sections: the network is symmetric, so the displacements are the same up to rounding; even and odd n"""
-    body = networks.beam("cubic", n, 20)
+    body = networks.beam("sc", n, 20)
     pairs = body.pairs(2.0)
     x = body.x - [2, 0.5 * body.size[1], 0.5 * body.size[2]]
     force = np.zeros_like(x)

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, scripts
 
 FORCES = np.array([(1.0, -2.0, 0.5), (1.0, -2.0, 0.5), (1.0, 0.0, 0.0), (1.0, -2.0, 0.5), (0.0, 0.0, 0.0)])
 # along the force, against it, across it, at rest, without force
@@ -18,7 +19,7 @@ def forces(run_lammps, tmp_path, options, group="all"):
         script += f"fix f{number} g{number} addforce {f[0]} {f[1]} {f[2]}\n"
     script += f"fix damping {group} potdem/damping {options}\nrun 0\n" + scripts.write_dump("f.dump", "fx fy fz")
     run_lammps(script)
-    return scripts.vectors(scripts.read_dump(tmp_path / "f.dump")[0][1], "fx", "fy", "fz")
+    return scripts.vectors(dumps.read(tmp_path / "f.dump")[0], "fx", "fy", "fz")
 
 
 # one multiplication: rounding 1e-16

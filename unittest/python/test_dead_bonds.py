@@ -1,7 +1,8 @@
 """A bond that has failed is gone for good, from every list of LAMMPS, and what its contact remembers belongs to the contact."""
 
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 E, A = 1000.0, 0.5
 PAIR_LINES = scripts.elastic(E, f"factor {A}", "", A)
@@ -20,12 +21,12 @@ STATE = scripts.result("bonds", "f_fail", "ebond", "evdwl", "fx[1]")
 
 
 def contact_energy(r, begins, diameter=1.0):
-    """of the truss of contact, which begins at a distance (by quadrature, scripts.truss_energy)"""
-    return scripts.truss_energy(r / begins, begins, E * scripts.section(diameter, A)) if r < begins else 0.0
+    """of the truss of contact, which begins at a distance (by quadrature, formulas.truss_energy)"""
+    return formulas.truss_energy(r / begins, begins, E * formulas.section(diameter, A)) if r < begins else 0.0
 
 
 def contact_push(r, begins, diameter=1.0):
-    return -scripts.truss_tension(r / begins, E * scripts.section(diameter, A)) if r < begins else 0.0
+    return -formulas.truss_tension(r / begins, E * formulas.section(diameter, A)) if r < begins else 0.0
 
 
 # --- data files -------------------------------------------------------------------------------------------------------
@@ -75,7 +76,7 @@ def test_a_pair_that_failed_in_touch_is_bonded_anew(run_lammps, how, nprocs):
     failed, anew, stretched, again = found[5]
     assert failed[:2].tolist() == [0, 1]
     assert anew.tolist() == [1, 1, 0, 0, 0] and found[1][0][0] == pytest.approx(0.97, rel=1e-15)
-    energy = scripts.truss_energy(1.01 / 0.97, 0.97, E * scripts.section(1.0, A))
+    energy = formulas.truss_energy(1.01 / 0.97, 0.97, E * formulas.section(1.0, A))
     assert stretched[:4] == pytest.approx([1, 1, energy, 0], rel=1e-12)
     # eps = ((0.9/0.97)^2 - 1)/2 = -0.07: beyond the strength
     assert again[:2].tolist() == [0, 2]
@@ -114,7 +115,7 @@ write_dump all local t.dump index c_t[*]
     assert thermo["f_fail"][-1] > 50 and live[-1] > 50
     assert (live + thermo["f_fail"] == live[0]).all()
     assert (thermo["c_sn"] == 2 * live).all() and (thermo["c_ss"] == 2 * live).all()
-    types = scripts.read_dump(tmp_path / "t.dump")[0][1]["c_t[1]"]
+    types = dumps.read(tmp_path / "t.dump")[0]["c_t[1]"]
     assert len(types) == live[-1] and (types == 1).all()
 
 

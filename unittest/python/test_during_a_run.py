@@ -7,10 +7,10 @@ import re
 import subprocess
 import sys
 
-import conftest
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, running, scripts
 
 ROUNDING = 1e-12    # a few operations
 # trajectories of a few hundred steps that differ by the order of sums
@@ -24,7 +24,7 @@ def periodic_distances(x, size):
 
 
 def last_dump(tmp_path, name):
-    table = scripts.read_dump(tmp_path / name)[-1][1]
+    table = dumps.read(tmp_path / name)[-1]
     order = np.argsort(table["id"])
     return {key: column[order] for key, column in table.items()}
 
@@ -324,7 +324,7 @@ fix change all adapt 10 bond potdem/truss E 1 v_modulus
 run {{}}
 """
     whole = last_row(run_lammps(torn_block() + change.format(0)))
-    factor = whole["c_section"] / scripts.section(1.0)
+    factor = whole["c_section"] / formulas.section(1.0)
     plain = last_row(run_lammps(torn_block(f"factor {factor:.17g}") + change.format(300)))
     found = last_row(run_lammps(torn_block() + change.format(300)))
     assert plain["f_cracks"] > 100
@@ -382,15 +382,12 @@ def test_another_internal_part_is_taken_away(lmp, run_lammps, tmp_path, part):
     script += f"thermo_modify format float {scripts.ALL_DIGITS}\nrun 50\n"
     usual = last_row(run_lammps(script + "run 50\n"))
     command = "uncompute" if part == "pace_CRITICAL" else "unfix"
-    (tmp_path / "in.unfix").write_text(script + f"{command} {part}\nrun 50\n")
-    arguments = conftest.runner.command(lmp, "in.unfix", {}, "log.unfix", 1)
-    done = subprocess.run(arguments, cwd=tmp_path, env=conftest.runner.environment(), text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = running.run(script + f"{command} {part}\nrun 50\n", {}, tmp_path, log="log.unfix", lmp=lmp)
     if TAKEN_AWAY[part]:
-        assert done.returncode > 0 and done.stdout.count("ERROR") == 1, done.stdout[-2000:]
-        assert part in conftest.logfile.error_message(done.stdout), done.stdout[-2000:]
+        assert done.status > 0 and done.stdout.count("ERROR") == 1, done.stdout[-2000:]
+        assert part in done.error, done.stdout[-2000:]
     else:
-        assert last_row(conftest.Run(done.returncode, done.stdout, (tmp_path / "log.unfix").read_text())) == usual
+        assert last_row(done) == usual
 
 
 def test_bonds_shorter_than_the_spacing(run_lammps):
@@ -447,7 +444,7 @@ def test_an_error_inside_potdem_bonds_is_caught(lmp, tmp_path):
     """through LAMMPS's library: pair and bond style are whole afterwards"""
     (tmp_path / "caught.py").write_text(CAUGHT)
     done = subprocess.run([sys.executable, "caught.py", lmp.parent / "liblammps.so"], cwd=tmp_path, text=True,
-                          env=conftest.runner.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env=running.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           check=False)
     assert "Neighbor list overflow" in done.stdout
     assert done.returncode == 0 and done.stdout.splitlines()[-1] == "closed", done.stdout[-2000:]

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import scripts
 
 TERMS = ["kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping", "wall work"]
 LEDGER = """

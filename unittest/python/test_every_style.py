@@ -3,8 +3,9 @@
 import re
 
 import pytest
-import scripts
 from test_build import styles
+
+from potdem import scripts
 
 pytestmark = pytest.mark.every_style
 

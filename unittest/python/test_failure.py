@@ -5,11 +5,12 @@ import re
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 E, A = 1000.0, 0.5
-MODULUS = E * scripts.section(1.0, A)    # A E of two particles of diameter 1
-MASS = scripts.sphere_mass(1.0)
+MODULUS = E * formulas.section(1.0, A)    # A E of two particles of diameter 1
+MASS = formulas.sphere_mass(1.0)
 COLUMNS = ("step", "time", "tag1", "tag2", "x", "y", "z", "strain", "energy", "contact")
 
 
@@ -37,14 +38,14 @@ dump_modify events format float {scripts.ALL_DIGITS}
 
 def events(tmp_path):
     """rows of the last snapshot of the events as dictionaries"""
-    _, table = scripts.read_dump(tmp_path / "events.dump")[-1]
+    table = dumps.read(tmp_path / "events.dump")[-1]
     count = len(table["index"])
     return [{name: table[f"f_failure[{k}]"][row] for k, name in enumerate(COLUMNS, 1)} for row in range(count)]
 
 
 def stress(r, length=1.0, m=0, normalized=False):
     """E c eps of the bond"""
-    return scripts.truss_tension(r / length, E, m, normalized)
+    return formulas.truss_tension(r / length, E, m, normalized)
 
 
 @pytest.mark.parametrize("bond, m, normalized", [("", 0, False), ("penetration 2", 2, False),
@@ -69,7 +70,7 @@ def test_fails_at_the_strength_and_not_before(run_lammps, tmp_path, bond, m, nor
     assert (event["x"], event["y"], event["z"]) == pytest.approx((0.5, 0, 0), abs=1e-12)
     assert event["strain"] == pytest.approx(0.5 * (x * x - 1), rel=1e-12)
     # the mean over the step in between: the bond's force acts for its first half (velocity Verlet)
-    expected = np.mean([scripts.truss_energy(k, 1.0, MODULUS, m, normalized) for k in (r[first], x)])
+    expected = np.mean([formulas.truss_energy(k, 1.0, MODULUS, m, normalized) for k in (r[first], x)])
     assert event["energy"] == pytest.approx(expected, rel=1e-10)
     assert event["contact"] == 0.0
     assert run.thermo["f_failure[1]"][-1] == event["energy"]
@@ -107,7 +108,7 @@ def test_energy_balance_of_a_free_pair(run_lammps):
     assert np.all(force[late & (r >= 1.0)] == 0.0)
     assert np.any(late & (r < 1.0))
     touching = late & (r < 1.0)
-    assert force[touching] == pytest.approx(-scripts.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+    assert force[touching] == pytest.approx(-formulas.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
 
 
 def overlapping(run_lammps, tmp_path, failure, speed, steps=6000, bond="", distance=0.8):
@@ -143,7 +144,7 @@ def test_failure_of_an_overlapping_pair_injects_no_energy(run_lammps, tmp_path, 
     assert np.all(force >= 0.0)
     assert np.all(force[r >= contact] == 0.0)
     inside = r < contact
-    push = -scripts.truss_tension(r[inside] / contact, MODULUS)
+    push = -formulas.truss_tension(r[inside] / contact, MODULUS)
     assert force[inside] == pytest.approx(push, rel=1e-9, abs=1e-9 * MODULUS)
     if failure.startswith("compression"):
         assert np.any(inside)
@@ -154,8 +155,8 @@ def test_bonded_pairs_do_not_touch(run_lammps):
     script = pair_script("tension 1e6", 0.5) + "run 0\nset atom 2 x 0.3\nrun 0\n"
     evdwl, ebond, force = scripts.results(run_lammps(script + scripts.result("evdwl", "ebond", "fx[2]")).stdout)[-1]
     assert evdwl == 0.0
-    assert ebond == pytest.approx(scripts.truss_energy(0.6, 0.5, MODULUS), rel=1e-13)
-    assert force == pytest.approx(-scripts.truss_tension(0.6, MODULUS), rel=1e-13)
+    assert ebond == pytest.approx(formulas.truss_energy(0.6, 0.5, MODULUS), rel=1e-13)
+    assert force == pytest.approx(-formulas.truss_tension(0.6, MODULUS), rel=1e-13)
 
 
 def test_nothing_fails_during_set_up(run_lammps):
@@ -164,7 +165,7 @@ def test_nothing_fails_during_set_up(run_lammps):
     script += scripts.result("f_failure", "bonds", "ebond")
     script += "run 1\n" + scripts.result("f_failure", "bonds", "ebond")
     still, gone = scripts.results(run_lammps(script).stdout)
-    assert tuple(still) == pytest.approx((0, 1, scripts.truss_energy(1.5, 1.0, MODULUS)), rel=1e-13)
+    assert tuple(still) == pytest.approx((0, 1, formulas.truss_energy(1.5, 1.0, MODULUS)), rel=1e-13)
     assert tuple(gone) == (1, 0, 0)
 
 
@@ -202,7 +203,7 @@ def test_strength_of_a_dashpot_bond_is_elastic(run_lammps):
     """the stress that counts is E c eps: a viscous force alone breaks nothing"""
     script = pair_script("tension 10 compression 10", speed=(-50, 50), bond="damping 1.0", step=1e-7)
     run = run_lammps(script + "run 3\n")
-    assert np.abs(run.thermo["v_f"][0]) > 10 * scripts.section(1.0, A)
+    assert np.abs(run.thermo["v_f"][0]) > 10 * formulas.section(1.0, A)
     assert run.thermo["f_failure"][-1] == 0
 
 
@@ -223,10 +224,10 @@ run 100
 """
     for nprocs in (1, 2):
         run = run_lammps(script, nprocs=nprocs)
-        snapshots = scripts.read_dump(tmp_path / "events.dump")
-        for (step, table), broken, energy in zip(snapshots, run.thermo["f_failure"], run.thermo["f_failure[1]"]):
+        snapshots = dumps.read(tmp_path / "events.dump")
+        for table, broken, energy in zip(snapshots, run.thermo["f_failure"], run.thermo["f_failure[1]"]):
             assert len(table["index"]) == broken
-            assert np.all(table["f_failure[1]"] <= step)
+            assert np.all(table["f_failure[1]"] <= table.step)
             assert np.sum(table["f_failure[9]"]) == pytest.approx(energy, rel=1e-12)
         assert run.thermo["f_failure"][-1] > 10
         assert np.all(run.thermo["f_failure[2]"] + run.thermo["f_failure[3]"] == run.thermo["f_failure"])
@@ -264,7 +265,7 @@ def test_a_failed_pair_is_in_the_list_when_it_touches(run_lammps, length, swing,
     late = run.thermo["Bonds"] == 0
     touching = late & (r < 1.0)
     assert np.sum(touching) > 50
-    assert force[touching] == pytest.approx(-scripts.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
+    assert force[touching] == pytest.approx(-formulas.truss_tension(r[touching], MODULUS), rel=1e-9, abs=1e-9 * MODULUS)
     assert np.all(force[late & (r >= 1.0)] == 0.0)
 
 
@@ -309,7 +310,7 @@ write_dump all local events.dump index f_failure[3] f_failure[4] f_failure[8]
 def strengths(run_lammps, tmp_path, script, nprocs=1):
     """pair of IDs -> stress at which its bond failed, over the mean strength"""
     run_lammps(script, nprocs=nprocs)
-    _, table = scripts.read_dump(tmp_path / "events.dump")[0]
+    table = dumps.read(tmp_path / "events.dump")[0]
     rows = scripts.vectors(table, *(f"f_failure[{k}]" for k in (3, 4, 8)))
     return {(int(a), int(b)): E * strain / 100 for a, b, strain in rows}
 

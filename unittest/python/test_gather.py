@@ -1,12 +1,12 @@
 """potdem_gather.h: what ranks tell each other arrives, beyond 2^31 bytes too; beyond 2^31 items there is an error."""
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
-import runner
+
+from potdem import running
 
 
 def gather(build, what, nprocs):
@@ -14,8 +14,7 @@ def gather(build, what, nprocs):
     program = build / "unittest" / "mpi_gather"
     if not program.exists():
         pytest.skip(f"{program} has not been built: LAMMPS is without MPI")
-    mpirun = shutil.which("mpirun")
-    done = subprocess.run([mpirun, "--oversubscribe", "-np", str(nprocs), program, what], env=runner.environment(), text=True,
+    done = subprocess.run(running.on_ranks(nprocs, [program, what]), env=running.environment(), text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300, check=False)
     assert done.returncode == 0, done.stdout[-3000:]
     found = dict(re.findall(r"^rank (\d+): (.*(?:\n(?!rank).*)*)", done.stdout, re.MULTILINE))

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 E, A = 500.0, 0.6
 CLUSTER = [(0, 0, 0, 1.0, 1), (0.9, 0.1, 0, 1.2, 2), (0.2, 0.95, 0.1, 1.0, 1),
@@ -29,7 +30,7 @@ run 100
 
 def end(run_lammps, tmp_path, script, nprocs=1):
     run = run_lammps(script, nprocs=nprocs)
-    _, table = scripts.read_dump(tmp_path / "end.dump")[0]
+    table = dumps.read(tmp_path / "end.dump")[0]
     return scripts.vectors(table, "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"), run
 
 
@@ -58,7 +59,7 @@ def test_a_pair_of_types_left_to_another_style(run_lammps, tmp_path):
     r = np.linalg.norm(x4 - x2)
     mean = 0.5 * (CLUSTER[1][3] + CLUSTER[3][3])
     assert r < mean
-    push = -scripts.truss_tension(r / mean, E * scripts.section(mean, A))
+    push = -formulas.truss_tension(r / mean, E * formulas.section(mean, A))
     # friction acts across the line of centres; along it there is the truss alone
     assert difference[3] @ (x4 - x2) / r == pytest.approx(push, rel=1e-10)
     # rounding of sums that are taken in another order

@@ -7,9 +7,10 @@ import math
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Hertz
 from scipy.optimize import minimize, root
+
+from potdem import dumps, formulas, scripts
+from potdem.pair_laws import Hertz
 
 # --- minimisers -------------------------------------------------------------------------------------------
 # Each result is the minimum of the same energy written in Python, from the same start, found by scipy.
@@ -47,7 +48,7 @@ LOAD = np.array([6.0, 2.0, -14.0])
 def truss_body(x, start):
     """energy and gradient of the bonds of all pairs that were within REACH: E A re (q^3/6 - q/2 + 1/3), q = r/re"""
     energy, gradient = 0.0, np.zeros_like(x)
-    stiffness = E * scripts.section(1.0, A)
+    stiffness = E * formulas.section(1.0, A)
     for i, j in itertools.combinations(range(len(x)), 2):
         rest = np.linalg.norm(start[j] - start[i])
         if rest > REACH * (1 + 1e-6):
@@ -112,7 +113,7 @@ def test_a_loaded_body(run_lammps, tmp_path, style, bond):
     script = truss_block(bond) + scripts.velocities_by_formula(0.5) + scripts.write_dump("start.dump", "x y z")
     script += run_minimiser(style, 1e-9) + scripts.write_dump("end.dump", "x y z") + scripts.result("ebond")
     text = run_lammps(script).stdout
-    start, end = (scripts.vectors(scripts.read_dump(tmp_path / f"{name}.dump")[0][1], "x", "y", "z")
+    start, end = (scripts.vectors(dumps.read(tmp_path / f"{name}.dump")[0], "x", "y", "z")
                   for name in ("start", "end"))
     expected = relaxed_body(tuple(start.ravel()))
     moved = np.abs(expected - start).max()
@@ -165,7 +166,7 @@ min_modify dmax 0.01
 """ + scripts.velocities_by_formula(1.0) + run_minimiser(style, 1e-9) + scripts.write_dump(
         "end.dump", "x y z") + scripts.result("evdwl", "f_walls")
     text = run_lammps(script).stdout
-    end = scripts.vectors(scripts.read_dump(tmp_path / "end.dump")[0][1], "x", "y", "z")
+    end = scripts.vectors(dumps.read(tmp_path / "end.dump")[0], "x", "y", "z")
     start = np.array([row[:3] for row in GRAINS])
     expected = minimum(lambda flat: grains_in_a_box(flat.reshape(-1, 3))[0],
                        lambda flat: grains_in_a_box(flat.reshape(-1, 3))[1].ravel(), start.ravel()).reshape(-1, 3)
@@ -188,7 +189,7 @@ timestep 0.005
 min_modify dmax 0.01
 """ + run_minimiser(style, 1e-10) + scripts.write_dump("end.dump", "x y z") + scripts.result("pe")
     text = run_lammps(script).stdout
-    x = scripts.vectors(scripts.read_dump(tmp_path / "end.dump")[0][1], "x", "y", "z")
+    x = scripts.vectors(dumps.read(tmp_path / "end.dump")[0], "x", "y", "z")
     distances = [np.linalg.norm(x[j] - x[i]) for i, j in itertools.combinations(range(4), 2)]
     assert distances == pytest.approx([(1 - alpha) + R] * 6, rel=1e-11)
     assert scripts.results(text)[0][0] == pytest.approx(-6 * K0 * R**2 / (2 * n**2), rel=1e-12)
@@ -212,7 +213,7 @@ def stresses_by_hand():
         del_ = x[i] - x[j]
         r = np.linalg.norm(del_)
         if (i, j) in REST:
-            kind, force = "bond", -scripts.truss_tension(r / REST[i, j], E * scripts.section(1.0, A))
+            kind, force = "bond", -formulas.truss_tension(r / REST[i, j], E * formulas.section(1.0, A))
         else:
             kind, force = "pair", GRAIN(r, 1.0, 1.0)[1]
         for k in (i, j):
@@ -260,7 +261,7 @@ run 0
 """
     columns = [f"c_{kind}[{k}]" for kind in ("pair", "bond", "fix", "all") for k in range(1, 7)]
     thermo = run_lammps(script + scripts.write_dump("s.dump", " ".join(columns)), nprocs=nprocs).thermo
-    table = scripts.read_dump(tmp_path / "s.dump")[0][1]
+    table = dumps.read(tmp_path / "s.dump")[0]
     expected = stresses_by_hand()
     expected["all"] = sum(expected.values())
     scale = np.abs(expected["all"]).max()
@@ -290,7 +291,7 @@ dump_modify d sort id format float {scripts.ALL_DIGITS}
     for integrator in (f"nve/limit {limit}", "nve"):
         run_lammps(script + f"fix move all {integrator}\nrun 100\n")
         paths[integrator] = np.array([scripts.vectors(table, "x", "y", "z")
-                                      for _, table in scripts.read_dump(tmp_path / "d.dump")])
+                                      for table in dumps.read(tmp_path / "d.dump")])
     limited, free = paths.values()
     longest = [np.linalg.norm(np.diff(path, axis=0), axis=2).max() for path in (limited, free)]
     assert longest[1] > 1e-2

@@ -3,7 +3,8 @@
 import re
 
 import pytest
-import scripts
+
+from potdem import scripts
 
 INFO = "run 0\ninfo communication\ninfo fixes\n"
 

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BUNDLED = sorted((ROOT / "potentials").glob("*.potdem"))
@@ -55,7 +56,7 @@ def cluster(pair_style, pairs):
 
 def forces(run_lammps, tmp_path, script, nprocs=1):
     run_lammps(script + "\nrun 0\n" + scripts.write_dump("end.dump", "fx fy fz"), nprocs=nprocs)
-    _, table = scripts.read_dump(tmp_path / "end.dump")[0]
+    table = dumps.read(tmp_path / "end.dump")[0]
     found = scripts.vectors(table, "fx", "fy", "fz")
     assert np.abs(found).max() > 1.0    # there are forces
     return found
@@ -162,7 +163,7 @@ def test_bond(run_lammps, tmp_path):
     """the tension of a truss of modulus E and section pi/4 (d = 1, a = 0.5)"""
     script = body("own.potdem soft area factor 0.5", "tension 1e9", 0.05).split("fix move")[0]
     found = forces(run_lammps, tmp_path, script)
-    tension = scripts.truss_tension(1.05, SOFT["E"] * scripts.section(1.0, 0.5))
+    tension = formulas.truss_tension(1.05, SOFT["E"] * formulas.section(1.0, 0.5))
     assert found[0] == pytest.approx([tension, 0, 0], rel=1e-12)
 
 

@@ -3,7 +3,8 @@
 import re
 
 import pytest
-import scripts
+
+from potdem import formulas, scripts
 
 NAMES = {
     "critical": "is longer than the critical step",
@@ -36,7 +37,7 @@ def chain(more, step, steps=10, bonds="factor 0.5", E=1000.0, spacing=1.0, count
 
 
 # k = E A / d of a bond; the middle one of three particles sets the bound: 4 k / m
-STIFFNESS = 1000.0 * scripts.section(1.0, 0.5)
+STIFFNESS = 1000.0 * formulas.section(1.0, 0.5)
 BOUND = 2 / (4 * STIFFNESS) ** 0.5
 
 

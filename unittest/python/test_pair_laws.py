@@ -5,8 +5,9 @@ import re
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Granular, Hertz, ShiftedLJ, Truss, by_sum
+
+from potdem import dumps, scripts
+from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss, by_sum
 
 ONE = {
     "lj": ShiftedLJ(300.0, 0.2, 3.0, 0.2),
@@ -231,7 +232,7 @@ FORCES = "run 0\n" + scripts.write_dump("f.dump", "x y z fx fy fz")
 
 
 def forces(tmp_path, file="f.dump"):
-    return scripts.vectors(scripts.read_dump(tmp_path / file)[0][1], "fx", "fy", "fz")
+    return scripts.vectors(dumps.read(tmp_path / file)[0], "fx", "fy", "fz")
 
 
 @pytest.mark.parametrize("name", STYLES)
@@ -255,7 +256,7 @@ def test_virial(run_lammps, tmp_path, name):
     pair += "thermo_style custom step vol c_v[*] c_s[*]\n" + FORCES
     pair += scripts.result(*(f"c_v[{k}]*vol" for k in range(1, 7)), *(f"c_s[{k}]" for k in range(1, 7)))
     row = scripts.results(run_lammps(scene(cloud(), pair)).stdout)[0]
-    _, columns = scripts.read_dump(tmp_path / "f.dump")[0]
+    columns = dumps.read(tmp_path / "f.dump")[0]
     tensor = scripts.vectors(columns, "x", "y", "z").T @ forces(tmp_path)
     expected = np.array([tensor[k, m] for k, m in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
     assert np.abs(expected).min() > 0.01
@@ -289,7 +290,7 @@ thermo 25
 
 
 def end(tmp_path):
-    _, table = scripts.read_dump(tmp_path / "end.dump")[0]
+    table = dumps.read(tmp_path / "end.dump")[0]
     return scripts.vectors(table, "x", "y", "z", "vx", "vy", "vz", "omegax", "omegay", "omegaz")
 
 
@@ -506,10 +507,10 @@ pair_style potdem/hertz
 pair_coeff * * 10 0.3
 """
     ordinary = run_lammps(script + "neighbor 0.3 bin\n" + "run 0\n" + scripts.write_dump("f.dump", "fx fy fz"))
-    force = scripts.read_dump(tmp_path / "f.dump")[0][1]
+    force = dumps.read(tmp_path / "f.dump")[0]
     multi = "neighbor 0.3 multi\nneigh_modify collection/interval 2 1.0 20.0\ncomm_modify mode multi\n"
     sorted_by_size = run_lammps(script + multi + "run 0\n" + scripts.write_dump("f.dump", "fx fy fz"))
-    force_multi = scripts.read_dump(tmp_path / "f.dump")[0][1]
+    force_multi = dumps.read(tmp_path / "f.dump")[0]
     for column in ("fx", "fy", "fz"):
         assert np.abs(force_multi[column] - force[column]).max() < 1e-12 * np.abs(force[column]).max()
     assert ghosts(sorted_by_size) < 0.7 * ghosts(ordinary)

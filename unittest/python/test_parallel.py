@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 # Sums in another order: rounding 1e-16 of the forces, growing over 300 steps of vibration
 RANKS_AGREE = 1e-9
@@ -30,12 +31,12 @@ run {steps}
 
 def order(tmp_path):
     """places of the particles at the start"""
-    return scripts.places(scripts.read_dump(tmp_path / "start.dump")[0][1])
+    return scripts.places(dumps.read(tmp_path / "start.dump")[0])
 
 
 def end_state(run_lammps, tmp_path, script, nprocs):
     run = run_lammps(script, nprocs=nprocs)
-    _, columns = scripts.read_dump(tmp_path / "end.dump")[0]
+    columns = dumps.read(tmp_path / "end.dump")[0]
     return scripts.vectors(columns, "xu", "yu", "zu", "vx", "vy", "vz")[order(tmp_path)], run
 
 
@@ -110,7 +111,7 @@ dump_modify events format float {scripts.ALL_DIGITS}
 
 def events(tmp_path):
     """rows of broken bonds, the particles numbered by their place, sorted by pair"""
-    _, table = scripts.read_dump(tmp_path / "events.dump")[-1]
+    table = dumps.read(tmp_path / "events.dump")[-1]
     rows = scripts.vectors(table, *(f"f_failure[{k}]" for k in range(1, 11)))
     number = np.argsort(order(tmp_path))
     rows[:, 2:4] = np.sort(number[rows[:, 2:4].astype(int) - 1], axis=1)
@@ -181,8 +182,8 @@ run 10000
     between, inside = kinds[3]
     assert tuple(between) == (1, 0, 0)
     reference = 0.8 * np.sqrt(1 - 2 * 60 / 1000)    # the distance of the strength; passed by one step's way, 1.5e-3
-    modulus = 1000.0 * scripts.section(1.0, 0.5)
-    assert inside[0] == pytest.approx(-scripts.truss_tension(0.5 / reference, modulus), rel=0.01)
+    modulus = 1000.0 * formulas.section(1.0, 0.5)
+    assert inside[0] == pytest.approx(-formulas.truss_tension(0.5 / reference, modulus), rel=0.01)
 
 
 @pytest.mark.parametrize("nprocs", [1, 2, 4])

@@ -4,16 +4,17 @@ import re
 
 import numpy as np
 import pytest
-import scripts
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
+
+from potdem import dumps, scripts
 
 RANKS = pytest.mark.parametrize("nprocs", [1, 2, 4])
 BONDS = "compute ids all property/local batom1 batom2 btype\n"
 PIECE = "compute piece all potdem/piece/atom\n" + BONDS
 
 
-def dumps(every, more=""):
+def shown(every, more=""):
     """pieces, bonds and the number of pieces, seen every so many steps"""
     return f"""
 dump pieces all custom {every} piece.dump id c_piece {more}
@@ -40,11 +41,11 @@ def checked(run, folder, membership=None):
     """that every snapshot is right, and the scalar with it; the pieces of each snapshot. membership: the column that
     says who is in the group"""
     found = []
-    snapshots = scripts.read_dump(folder / "piece.dump"), scripts.read_dump(folder / "bond.dump")
-    for (step, atoms), (_, bonds), count in zip(*snapshots, run.thermo["c_piece"], strict=True):
+    snapshots = dumps.read(folder / "piece.dump"), dumps.read(folder / "bond.dump")
+    for atoms, bonds, count in zip(*snapshots, run.thermo["c_piece"], strict=True):
         members = atoms[membership] > 0 if membership else np.ones(len(atoms["id"]), dtype=bool)
         ends = scripts.vectors(bonds, "c_ids[1]", "c_ids[2]", "c_ids[3]")
-        assert np.array_equal(atoms["c_piece"], pieces_of(atoms["id"], ends, members)), f"step {step}"
+        assert np.array_equal(atoms["c_piece"], pieces_of(atoms["id"], ends, members)), f"step {atoms.step}"
         assert count == len(np.unique(atoms["c_piece"][members]))
         found.append(atoms["c_piece"])
     return found
@@ -58,7 +59,7 @@ def cube(n, spacing=1.0, diameter=None, boundary="f f f", reach=1.42, size=60, m
 @RANKS
 def test_an_unbroken_body_and_a_particle_beside_it(run_lammps, tmp_path, nprocs):
     script = cube(6) + "create_atoms 1 single 10 10 10 units box\nset atom 217 diameter 1 density 1\n" + PIECE
-    run = run_lammps(script + dumps(1) + "run 0\n", nprocs=nprocs)
+    run = run_lammps(script + shown(1) + "run 0\n", nprocs=nprocs)
     (piece,) = checked(run, tmp_path)
     assert list(piece) == [1] * 216 + [217]
 
@@ -70,7 +71,7 @@ def test_a_body_torn_apart_in_the_middle_of_a_run(run_lammps, tmp_path, nprocs):
 fix move all nve
 fix tear all potdem/failure 1 tension 40
 timestep 1e-3
-""" + dumps(100)
+""" + shown(100)
     found = checked(run_lammps(script + "run 1500\n", nprocs=nprocs), tmp_path)
     numbers = [len(np.unique(piece)) for piece in found]
     assert numbers[0] == 1 and numbers[-1] > 100
@@ -99,7 +100,7 @@ def test_a_chain_that_doubles_back_over_the_ranks(run_lammps, tmp_path, nprocs, 
     script = "processors * 1 1\n" + scripts.box(40) + scripts.particles(snake(12, 24, shuffled)) + scripts.elastic()
     script += "region slit block 5.1 5.4 -1 1 INF INF units box\n"
     script += f"potdem_bonds all 1 1.1 {'crack slit' if cut else ''}\n" + PIECE
-    (piece,) = checked(run_lammps(script + dumps(1) + "run 0\n", nprocs=nprocs), tmp_path)
+    (piece,) = checked(run_lammps(script + shown(1) + "run 0\n", nprocs=nprocs), tmp_path)
     assert len(np.unique(piece)) == (2 if cut else 1)
 
 
@@ -112,7 +113,7 @@ def test_periodic_boundaries(run_lammps, tmp_path, nprocs, reach, slits, pieces)
     script += "".join(f"region slit{k} block {slit} INF INF INF INF units box\n" for k, slit in enumerate(slits))
     script += "region both union 2 slit0 slit1\n" if len(slits) == 2 else ""
     script += f"potdem_bonds all 1 {reach} {['', 'crack slit0', 'crack both'][len(slits)]}\n"
-    (piece,) = checked(run_lammps(script + PIECE + dumps(1) + "run 0\n", nprocs=nprocs), tmp_path)
+    (piece,) = checked(run_lammps(script + PIECE + shown(1) + "run 0\n", nprocs=nprocs), tmp_path)
     assert len(np.unique(piece)) == pieces
 
 
@@ -127,7 +128,7 @@ group ends region ends
 variable member atom gmask(ends)
 compute piece ends potdem/piece/atom
 """ + BONDS
-    run = run_lammps(script + dumps(1, more="v_member") + "run 0\n", nprocs=nprocs)
+    run = run_lammps(script + shown(1, more="v_member") + "run 0\n", nprocs=nprocs)
     (piece,) = checked(run, tmp_path, "v_member")
     assert len(np.unique(piece)) == 3 and piece.min() == 0 and run.thermo["c_piece"][0] == 2
 
@@ -147,7 +148,7 @@ fix move all nve
 timestep 0.001
 neigh_modify every 1 delay 0 check yes
 """ + BONDS
-    run = run_lammps(script + dumps(10, more="v_member") + "run 500\n", nprocs=nprocs)
+    run = run_lammps(script + shown(10, more="v_member") + "run 500\n", nprocs=nprocs)
     checked(run, tmp_path, "v_member")
     assert {1, 2} <= set(run.thermo["c_piece"])
 
@@ -167,7 +168,7 @@ def test_pieces_that_touch(run_lammps, tmp_path, nprocs):
 compute other all aggregate/atom 1e-9
 variable first atom id==c_other
 compute others all reduce sum v_first
-""" + dumps(1) + "thermo_style custom step c_piece c_others\nfix move all nve\nrun 2\n"
+""" + shown(1) + "thermo_style custom step c_piece c_others\nfix move all nve\nrun 2\n"
     run = run_lammps(script, nprocs=nprocs)
     assert set(len(np.unique(piece)) for piece in checked(run, tmp_path)) == {2}
     assert set(run.thermo["c_piece"]) == {2}
@@ -177,9 +178,9 @@ compute others all reduce sum v_first
 @RANKS
 def test_eighty_bonds_each(run_lammps, tmp_path, nprocs):
     script = cube(8, reach=2.5) + "fix move all nve\nfix tear all potdem/failure 1 tension 30\ntimestep 1e-3\n"
-    script += scripts.velocities_by_formula(8.0) + PIECE + dumps(100) + "run 800\n"
+    script += scripts.velocities_by_formula(8.0) + PIECE + shown(100) + "run 800\n"
     found = checked(run_lammps(script, nprocs=nprocs), tmp_path)
-    _, bonds = scripts.read_dump(tmp_path / "bond.dump")[0]
+    bonds = dumps.read(tmp_path / "bond.dump")[0]
     assert np.bincount(np.concatenate([bonds["c_ids[1]"], bonds["c_ids[2]"]]).astype(int)).max() == 80
     assert len(np.unique(found[-1])) > 1
 
@@ -190,7 +191,7 @@ def test_more_bonds_than_fragment_can_take(run_lammps, tmp_path, nprocs):
     script = scripts.box(60) + "region body block -17 17 -17 17 -17 18 units box\n"
     script += "region slit block INF INF -0.1 0.1 INF INF units box\n"
     script += scripts.crystal(region="body") + scripts.elastic() + "potdem_bonds all 1 1.42 crack slit\n" + PIECE
-    run = run_lammps(script + dumps(1) + "run 0\n", nprocs=nprocs)
+    run = run_lammps(script + shown(1) + "run 0\n", nprocs=nprocs)
     (piece,) = checked(run, tmp_path)
     assert len(piece) == 34 * 34 * 35
     assert list(np.unique(piece, return_counts=True)[1]) == [20230, 20230]
@@ -199,7 +200,7 @@ def test_more_bonds_than_fragment_can_take(run_lammps, tmp_path, nprocs):
 def test_it_goes_on_after_a_restart(run_lammps, tmp_path):
     """with failed pairs that still overlap"""
     run_lammps(TOUCHING + "run 0\nwrite_restart r\n")
-    run = run_lammps("read_restart r\n" + PIECE + dumps(1) + "run 0\n", nprocs=2)
+    run = run_lammps("read_restart r\n" + PIECE + shown(1) + "run 0\n", nprocs=2)
     assert len(np.unique(checked(run, tmp_path)[0])) == 2
 
 

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, scripts
 
 DENSITY = 2.0
 
@@ -28,7 +29,7 @@ def discs(rows):
 
 
 def columns(tmp_path, file, *names):
-    return scripts.vectors(scripts.read_dump(tmp_path / file)[0][1], *names)
+    return scripts.vectors(dumps.read(tmp_path / file)[0], *names)
 
 
 E, THICKNESS = 1000.0, 0.3

@@ -8,11 +8,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-import logfile
 import numpy as np
 import pytest
-import runner
-import scripts
+
+from potdem import dumps, logs, running
 
 GLOBAL, ATOM, LOCAL = 0, 1, 2            # LMP_STYLE_...
 SCALAR, VECTOR, ARRAY = 0, 1, 2          # LMP_TYPE_...
@@ -101,23 +100,15 @@ WANTED = [
 ]
 
 
-def module_of(build):
-    """folder of LAMMPS's Python module: in the tree that the build was made from"""
-    cache = (build / "CMakeCache.txt").read_text()
-    tree = re.search(r"^POTDEM_LAMMPS_DIR:\w+=(.+)$", cache, re.MULTILINE).group(1)
-    return Path(tree) / "python"
-
-
 def read(build, folder, script, wanted):
     """{name: value} of a run in a Python of its own"""
-    module = module_of(build)
+    module = logs.lammps_tree() / "python"
     if not (build / "liblammps.so").exists() or not (module / "lammps").exists():
         pytest.skip(f"no Python module of LAMMPS: it wants {build}/liblammps.so, a shared library, and {module}/lammps")
     (folder / "in.test").write_text(script)
     (folder / "wanted.json").write_text(json.dumps(wanted))
-    environment = runner.environment()
-    environment["PYTHONPATH"] = str(module)
-    environment["LD_LIBRARY_PATH"] = os.pathsep.join([str(build), environment.get("LD_LIBRARY_PATH", "")])
+    environment = running.environment(PYTHONPATH=str(module),
+                                      LD_LIBRARY_PATH=os.pathsep.join([str(build), os.environ.get("LD_LIBRARY_PATH", "")]))
     done = subprocess.run([sys.executable, READER, "in.test", "wanted.json", "found.json"], cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300, check=False)
     assert done.returncode == 0, done.stdout[-3000:]
@@ -129,15 +120,15 @@ def run(build, tmp_path_factory):
     """(what the module gave, the last thermo row, the folder with the dumps)"""
     folder = tmp_path_factory.mktemp("python")
     found = read(build, folder, SCRIPT, WANTED)
-    thermo = {name: column[-1] for name, column in logfile.thermo((folder / "log.python").read_text()).items()}
+    thermo = {name: column[-1] for name, column in logs.thermo((folder / "log.python").read_text()).items()}
     assert thermo["Step"] == STEPS
     return found, thermo, folder
 
 
 def last_of(path):
     """columns of the last snapshot of a dump"""
-    step, table = scripts.read_dump(path)[-1]
-    assert step == STEPS
+    table = dumps.read(path)[-1]
+    assert table.step == STEPS
     return table
 
 

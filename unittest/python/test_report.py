@@ -1,20 +1,16 @@
 """tools/report accuracy: fronts and recommendations of known points, error functions on known data, references against closed forms, one
 small case from end to end."""
 
-import sys
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from conftest import ROOT
+import test_collisions
 
-sys.path.insert(0, str(ROOT / "tools" / "reports"))
-import accuracy  # noqa: E402
-import test_collisions  # noqa: E402
-import work_precision  # noqa: E402
-import writing  # noqa: E402
-from cases import breaking, bulk, case, contacts, solids  # noqa: E402
-from work_precision import Point  # noqa: E402
+from potdem import collisions, struck_beam
+from potdem.reports import accuracy, work_precision, writing
+from potdem.reports.cases import breaking, bulk, case, contacts, solids
+from potdem.reports.work_precision import Point
 
 
 def point(seconds, error, series="a", **settings):
@@ -127,8 +123,8 @@ def test_failed_runs_have_infinite_errors():
 
 def test_collision_of_the_reference_is_the_closed_form():
     (meeting, *_) = contacts.hertz_meetings()
-    assert meeting.exact[0] == pytest.approx(test_collisions.duration(1.0), rel=1e-9)
-    assert contacts.TOUCH - meeting.nearest == pytest.approx(test_collisions.overlap_at_rest(1.0), rel=1e-9)
+    assert meeting.exact[0] == pytest.approx(collisions.duration(1.0), rel=1e-9)
+    assert contacts.TOUCH - meeting.nearest == pytest.approx(collisions.overlap_at_rest(1.0), rel=1e-9)
 
 
 def test_restitution_of_the_reference():
@@ -138,7 +134,7 @@ def test_restitution_of_the_reference():
 
 def test_reference_of_the_beam_is_the_scene_s():
     """the scene's own measure of the same history, over three periods, from samples at 40 us"""
-    known = solids.histories.calculix("2d-layer", "f1")
+    known = struck_beam.calculix("2d-layer", "f1")
     peak, period = solids.reference()
     assert peak == pytest.approx(known.peak, rel=1e-3)
     assert period == pytest.approx(known.period, rel=1e-3)

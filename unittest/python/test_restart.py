@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 # Both runs start from the same positions to the last bit, the atoms are sorted differently: rounding of sums
 # 1e-16, growing over some hundred steps of vibration and contact
@@ -25,7 +26,7 @@ thermo_modify format float {scripts.ALL_DIGITS}
 
 
 def state(folder):
-    _, columns = scripts.read_dump(folder / "end.dump")[0]
+    columns = dumps.read(folder / "end.dump")[0]
     return scripts.vectors(columns, "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz")
 
 
@@ -114,9 +115,9 @@ def test_failed_overlapping_pair_is_force_free_after_a_restart(run_lammps, tmp_p
     assert broken == 1 and distance < 1.0
     # at 0.3 the contact of reference length dref pushes: dref from the strength, eps = -60/1000
     dref = 0.8 * np.sqrt(1 - 2 * 60 / 1000)
-    modulus = 1000.0 * scripts.section(1.0, 0.5)
+    modulus = 1000.0 * formulas.section(1.0, 0.5)
     # the pair fails within one step of the strength: 3e-4 in distance, and the force moves with it
-    assert force == pytest.approx(-scripts.truss_tension(0.3 / dref, modulus), rel=2e-3)
+    assert force == pytest.approx(-formulas.truss_tension(0.3 / dref, modulus), rel=2e-3)
 
 
 def test_data_file_keeps_the_body(run_lammps, tmp_path):

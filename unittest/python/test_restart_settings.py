@@ -1,7 +1,8 @@
 """What a restart must bring back of a pair style's settings."""
 
 import pytest
-import scripts
+
+from potdem import scripts
 
 MATERIAL = "1000 0.3 viscous 1.0 friction 0.3 1.0"
 

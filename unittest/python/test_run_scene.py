@@ -1,6 +1,7 @@
 """examples/run's harness on a small scene of its own."""
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -10,6 +11,9 @@ from pathlib import Path
 import pytest
 import yaml
 from PIL import Image
+
+from potdem.paths import BUILD, TOOLS
+from potdem.text import replaced
 
 SCRIPT = """
 variable speed index 1.0
@@ -56,7 +60,7 @@ if __name__ == "__main__":
 
 
 CLAIMS = """
-from claim import Claim
+from potdem.scenes.claim import Claim
 def claims(folder_of):
     return [Claim("2", "atoms fly", "42 m", (folder_of("slow") / "done.txt").read_text().strip(), "no"),
             Claim("1", "atoms are there", "yes", "yes", "yes")]
@@ -71,10 +75,9 @@ after
 """
 
 FILM = PLOT + """
-sys.path.insert(0, str(Path(__file__).parent.parent / "harness"))
 import matplotlib
 from matplotlib.colors import Normalize
-import picture
+from potdem import picture
 
 def draw(axis, frame):
     axis.plot(frame["x"], frame["y"], "o")
@@ -84,13 +87,15 @@ FILM = picture.Film("dump.flight", draw, Normalize(0, 1), matplotlib.colormaps["
 
 
 @pytest.fixture
-def examples(root, lmp, tmp_path):
-    """a copy of the harness with one scene beside it; runs it with the arguments given"""
-    shutil.copytree(root / "examples" / "harness", tmp_path / "examples" / "harness")
+def examples(lmp, tmp_path):
+    """a tree with a copy of the package and one scene; runs it with the arguments given"""
+    shutil.copytree(TOOLS / "potdem", tmp_path / "tools" / "potdem")
     (tmp_path / "build").mkdir()
     (tmp_path / "build" / "lmp").symlink_to(lmp)
+    (tmp_path / "build" / "CMakeCache.txt").symlink_to(BUILD / "CMakeCache.txt")
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "tools"), "POTDEM_BUILD": str(tmp_path / "build")}
     scene = tmp_path / "examples" / "flight"
-    scene.mkdir()
+    scene.mkdir(parents=True)
     (scene / "in.flight").write_text(SCRIPT)
     (scene / "scene.yaml").write_text(SETTINGS)
     (scene / "plot.py").write_text(PLOT)
@@ -99,8 +104,8 @@ def examples(root, lmp, tmp_path):
     (tmp_path / "docs").mkdir()
     (tmp_path / "docs" / "claims.md").write_text(PAGE)
 
-    def run(*arguments, program="run_scene.py"):
-        return subprocess.run([sys.executable, tmp_path / "examples" / "harness" / program, *arguments],
+    def run(*arguments, program="run_scene"):
+        return subprocess.run([sys.executable, "-m", f"potdem.scenes.{program}", *arguments], env=environment,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     run.scene = scene
@@ -140,7 +145,7 @@ def test_variants_and_ranks(with_reference):
 
 def test_a_changed_reference_fails(with_reference):
     log = reference(with_reference, "slow")
-    log.write_text(log.read_text().replace("        10   0.5", "        10   0.6"))
+    log.write_text(replaced(log.read_text(), "        10   0.5", "        10   0.6"))
     run = with_reference("flight")
     assert run.returncode == 1
     assert "FAIL" in run.stdout and run.stdout.endswith("4 checks passed, 1 failed\n")
@@ -163,18 +168,18 @@ def test_what_does_not_exist_is_named(examples, arguments, message):
 
 
 def test_all_scenes_and_their_claims(with_reference):
-    run = with_reference(program="run_all.py")
+    run = with_reference(program="run_all")
     assert run.returncode == 0, run.stdout
     assert "| 1 | atoms are there | yes | yes | yes |\n| 2 | atoms fly | 42 m | done | no |" in run.stdout
     assert run.stdout.endswith("1 runs; 5 checks passed, 0 failed\n")
 
 
 def test_the_page_of_the_claims_is_written_when_references_are(with_reference):
-    assert with_reference(program="run_all.py").returncode == 0
+    assert with_reference(program="run_all").returncode == 0
     assert with_reference.page.read_text() == PAGE
     log = reference(with_reference, "slow")
-    log.write_text(log.read_text().replace("        10   0.5", "        10   0.6"))
-    assert with_reference("--update-reference", program="run_all.py").returncode == 0
+    log.write_text(replaced(log.read_text(), "        10   0.5", "        10   0.6"))
+    assert with_reference("--update-reference", program="run_all").returncode == 0
     assert "        10   0.5" in log.read_text()
     text = with_reference.page.read_text()
     assert text.startswith("# Claims\nbefore\n<!-- made by") and text.endswith("<!-- end of the table -->\nafter\n")
@@ -183,8 +188,8 @@ def test_the_page_of_the_claims_is_written_when_references_are(with_reference):
 
 def test_an_animation_and_files_for_paraview_show_every_frame(with_reference):
     (with_reference.scene / "plot.py").write_text(FILM)
-    (with_reference.scene / "in.flight").write_text(SCRIPT.replace(
-        "custom step", "custom step time").replace("run 20\nrun 20", "dump d all custom 10 ${out}/dump.flight id x y z\nrun 40"))
+    (with_reference.scene / "in.flight").write_text(replaced(
+        replaced(SCRIPT, "custom step", "custom step time"), "run 20\nrun 20", "dump d all custom 10 ${out}/dump.flight id x y z\nrun 40"))
     (with_reference.scene / "scene.yaml").write_text(SETTINGS + "    Time: {all: true, rel: 1e-9}\n")
     run = with_reference("flight", "--animate", "--paraview", "--update-reference")
     assert run.returncode == 0, run.stdout
@@ -208,19 +213,20 @@ def test_scenes_may_have_modules_of_the_same_name(with_reference):
     other = shutil.copytree(with_reference.scene, with_reference.scene.parent / "gliding")
     for scene, claim in ((with_reference.scene, "3"), (other, "4")):
         (scene / "scan.py").write_text(f"NUMBER = '{claim}'\n")
-        (scene / "claims.py").write_text("import sys\nfrom pathlib import Path\nsys.path.insert(0, str(Path(__file__).parent))\n"
-                                         "import scan\nfrom claim import Claim\ndef claims(folder_of):\n"
+        (scene / "claims.py").write_text("from pathlib import Path\nfrom potdem.scenes.claim import Claim\n"
+                                         "from potdem.scenes.scene import beside\nscan = beside(__file__, 'scan')\n"
+                                         "def claims(folder_of):\n"
                                          "    return [Claim(scan.NUMBER, Path(__file__).parent.name, '', '', 'yes')]\n")
     for file in list(other.glob("*flight*")):
-        file.rename(file.parent / file.name.replace("flight", "gliding"))
-    run = with_reference(program="run_all.py")
+        file.rename(file.parent / replaced(file.name, "flight", "gliding"))
+    run = with_reference(program="run_all")
     assert run.returncode == 0, run.stdout
     assert "| 3 | flight |" in run.stdout and "| 4 | gliding |" in run.stdout
 
 
 def test_a_failed_run_is_told_and_leaves_out_its_claims(with_reference):
     (with_reference.scene / "in.flight").write_text("units si\npair_style no/such/style\n")
-    run = with_reference(program="run_all.py")
+    run = with_reference(program="run_all")
     assert run.returncode == 1
     assert "Unrecognized pair style 'no/such/style'" in run.stdout and "claims of flight are left out" in run.stdout
     assert "atoms fly" not in run.stdout

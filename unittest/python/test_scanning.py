@@ -1,7 +1,8 @@
 """Runs for every combination of some variables."""
 
 import pytest
-import scanning
+
+from potdem.scenes import scanning
 
 SCRIPT = """
 variable a index 0
@@ -13,7 +14,7 @@ print "${a} ${b}" file ${out}/said
 @pytest.fixture
 def scene(tmp_path, lmp, monkeypatch):
     """a scene whose script repeats its variables"""
-    monkeypatch.setattr(scanning.runner, "LMP", lmp)
+    monkeypatch.setattr(scanning.running, "LMP", lmp)
     (tmp_path / "said").mkdir()
     (tmp_path / "said" / "in.said").write_text(SCRIPT)
     return tmp_path / "said"

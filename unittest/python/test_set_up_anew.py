@@ -17,7 +17,8 @@ from typing import Callable
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, scripts
 
 # Positions come back to the last bit, but for a shift by the periodic box: 1e-16 of ten diameters, in overlaps and
 # stretches of 1e-2 diameters 1e-13 of a force; sums of some tens of forces in another order add as much. A missed
@@ -88,10 +89,10 @@ def sorted_by(table, *keys):
 def read_state(run, tmp_path, bonded):
     columns = (BODY_TOTALS if bonded else GRAIN_TOTALS).split()
     totals = dict(zip(columns, [values[-1] for values in run.thermo.values()][1:]))
-    particles = sorted_by(scripts.read_dump(tmp_path / "state.dump")[0][1], "id")
+    particles = sorted_by(dumps.read(tmp_path / "state.dump")[0], "id")
     if not bonded:
         return State(totals, particles)
-    table = scripts.read_dump(tmp_path / "bonds.dump")[0][1]
+    table = dumps.read(tmp_path / "bonds.dump")[0]
     ends = np.sort(scripts.vectors(table, "c_pair[1]", "c_pair[2]"), axis=1)
     table["c_pair[1]"], table["c_pair[2]"] = ends.T
     return State(totals, particles, sorted_by(table, "c_pair[2]", "c_pair[1]"))

@@ -1,17 +1,14 @@
 """tools/report stability: how runs are judged, on made-up logs, and that its page is made of what was judged."""
 
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "tools" / "reports"))
-
-import lammps_run  # noqa: E402
-import stability  # noqa: E402
-import stability_cases  # noqa: E402
-import stability_page  # noqa: E402
+from potdem import formulas
+from potdem.reports import stability, stability_cases, stability_page
+from potdem.running import Run
+from potdem.text import replaced
 
 OURS = "WARNING: The contact of atoms 1 and 2 on step 30 is so stiff that ... (src/lammps/output/fix_potdem_monitor.cpp:188)\n"
 LAMMPS_OWN = "WARNING: No fixes with time integration, atoms won't move (src/verlet.cpp:60)\n"
@@ -27,7 +24,7 @@ def log(ledger, stray=None, before="", after="", kinetic=2.0):
 
 def judged(output, status=0, scale=2.0):
     case = stability_cases.Case("made up", "case", "")
-    return stability.judge(case, "0.9", 0.9, 0.01, lammps_run.Run(Path(), status, 0.0, output), scale)
+    return stability.judge(case, "0.9", 0.9, 0.01, Run(Path(), status, output), scale)
 
 
 SOUND = [1.0, 1.1, 0.9]
@@ -75,7 +72,7 @@ def test_energy_exchanged():
     (log(SOUND), 0, None),
     (log(WRONG), 0, (20, "energy ledger")),
     (log(WRONG, before=OURS), 0, (20, "energy ledger")),
-    (log(WRONG, before=OURS.replace("step 30", "step 20")), 0, (20, "warning")),
+    (log(WRONG, before=replaced(OURS, "step 30", "step 20")), 0, (20, "warning")),
     (log(SOUND, stray=[0, 1, 0], before=OURS), 0, (10, "particle astray")),
     (log(SOUND, after="ERROR: Bond between atoms 1 and 2 is long on step 7 (src/x.cpp:1)\n"), 1, (7, "error")),
     (log(SOUND, after="ERROR: Bond atoms 1 2 missing on proc 0 at step 13 (src/x.cpp:1)\n"), 1, (13, "error")),
@@ -112,14 +109,14 @@ def test_a_case_as_the_report_runs_it(lmp, tmp_path, name):
     else:
         assert runs["adaptive"].verdict == "right"
     if "bond" in name:    # two masses of 1 and a spring 1.2 times as stiff as at rest: 2 / omega
-        stiffness = 1.2 * 1000.0 * stability_cases.scripts.section(1.0, 0.5)
+        stiffness = 1.2 * 1000.0 * formulas.section(1.0, 0.5)
         assert runs["2"].step == pytest.approx(2 * 2 / (2 * stiffness) ** 0.5, rel=1e-3)
 
 
 def test_page_parts():
     def outcome(label, fraction, output, status=0):
         case = shared
-        return stability.judge(case, label, fraction, fraction, lammps_run.Run(Path(), status, 0.0, output), 2.0)
+        return stability.judge(case, label, fraction, fraction, Run(Path(), status, output), 2.0)
 
     shared = stability_cases.Case("made up", "the case", "")
     outcomes = [outcome("adaptive", 0.1, log(SOUND)), outcome("0.5", 0.5, log(SOUND)), outcome("0.9", 0.9, log(SOUND, before=OURS)),

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, scripts
 
 COLUMNS = "c_strain[1] c_strain[2] c_strain[3] c_strain[4] c_strain[5] c_strain[6] c_strain[7] c_strain[8]".split()
 # strains are differences of squared lengths over squared lengths: rounding 1e-16, amplified by the condition of the
@@ -47,7 +48,7 @@ def affine(F):
 
 def strains(run_lammps, tmp_path, script, nprocs=1):
     run_lammps(script + "run 0\n" + scripts.write_dump("s.dump", "x y z " + " ".join(COLUMNS)), nprocs=nprocs)
-    _, table = scripts.read_dump(tmp_path / "s.dump")[0]
+    table = dumps.read(tmp_path / "s.dump")[0]
     return scripts.vectors(table, *COLUMNS)
 
 

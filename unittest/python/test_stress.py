@@ -5,7 +5,8 @@ import itertools
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, scripts
 
 E, A = 1000.0, 0.3
 COLUMNS = [f"c_virial[{k}]" for k in range(1, 7)]
@@ -16,7 +17,7 @@ STRESS += f"dump_modify stress sort id format float {scripts.ALL_DIGITS}\n"
 
 def stresses(tmp_path):
     """positions and stresses over the volume 1 of a cell: xx yy zz xy xz yz"""
-    _, table = scripts.read_dump(tmp_path / "s.dump")[-1]
+    table = dumps.read(tmp_path / "s.dump")[-1]
     return scripts.vectors(table, "x", "y", "z"), scripts.vectors(table, *COLUMNS)
 
 
@@ -29,7 +30,7 @@ def lattice_stress(F, reach):
         if 0 < rest < reach * (1 + 1e-6):
             now = F @ vector
             length = np.linalg.norm(now)
-            tension = scripts.truss_tension(length / rest, E * scripts.section(1.0, A))
+            tension = formulas.truss_tension(length / rest, E * formulas.section(1.0, A))
             total += 0.5 * tension * length * np.outer(now, now) / length**2
     return total / np.linalg.det(F)
 

@@ -4,90 +4,31 @@ from itertools import product
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Granular, Hertz, ShiftedLJ, Truss
 from scipy.linalg import eigh
-from scipy.optimize import minimize
+
+from potdem import dumps, formulas, lattices, scripts
+from potdem.lattices import CRITICAL_STEPS
+from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss
 
 # sums of the same numbers in another order
 SAME = 1e-10
 
-PRINT = "compute critical all potdem/timestep\nthermo_style custom step c_critical c_critical[*]\nrun 0\n" + scripts.result(
-    "c_critical", "c_critical[1]", "c_critical[2]", "c_critical[3]")
-
 
 def critical(run_lammps, script, **options):
     """stable step, the same without viscosity, sqrt(m/K), particle"""
-    return scripts.results(run_lammps(script + PRINT, **options).stdout)[-1]
+    return scripts.results(run_lammps(script + scripts.CRITICAL_STEP, **options).stdout)[-1]
 
 
 # --- lattices --------------------------------------------------------------------------------------------
 
-# design/model.md and the README, with exact critical steps: lattice, edge of the cube over the spacing d, r_infl/d,
-# critical step and sqrt(m/K), both times c/d
-LATTICES = [("sc", 1.0, 1.42, 0.931, 1.447), ("sc", 1.0, 1.75, 0.840, 1.499), ("sc", 1.0, 2.00, 1.193, 2.128),
-            ("sc", 1.0, 2.50, 1.579, 3.674), ("fcc", np.sqrt(2), 1.00, 0.577, 0.816),
-            ("fcc", np.sqrt(2), 1.42, 0.910, 1.498), ("fcc", np.sqrt(2), 2.00, 1.120, 2.449)]
-
-
-def crystal(kind, edge, reach, strain=0.0, cells=6):
-    """a periodic crystal of E = 1 and density 1, so that c = 1; bonds are made at rest, then the box is strained"""
-    mass = edge**3 / {"sc": 1, "fcc": 4}[kind]
-    cell = cells * edge
-    return f"""
-units si
-atom_style bpm/sphere
-boundary p p p
-lattice {kind} {edge:.17g}
-region box block 0 {cell:.17g} 0 {cell:.17g} 0 {cell:.17g} units box
-create_box 1 box bond/types 1
-create_atoms 1 box
-set group all diameter 1.0
-set group all mass {mass:.17g}
-neighbor 0.3 bin
-potdem_bonds all 1 {reach + 0.001:.17g}
-bond_style potdem/truss
-bond_coeff 1 1.0 area lattice
-pair_style potdem/truss
-pair_coeff * * 1.0 0.5
-run 0
-change_box all x scale {1 + strain:.17g} y scale {1 + strain:.17g} z scale {1 + strain:.17g} remap
-""", mass
-
-
-def shells(kind, edge, reach):
-    """the bonds of one particle"""
-    half = edge if kind == "sc" else 0.5 * edge
-    sites = half * np.array([n for n in product(range(-5, 6), repeat=3) if kind == "sc" or sum(n) % 2 == 0])
-    lengths = np.linalg.norm(sites, axis=1)
-    return sites[(0 < lengths) & (lengths < reach + 0.001)]
-
-
-def largest_frequency2(kind, edge, reach, mass, modulus, strain=0.0):
-    """of all plane waves; each bond at its own stretch, with the stiffness that its force has across it"""
-    bonds = shells(kind, edge, reach)
-    rest = np.linalg.norm(bonds, axis=1)
-    n = bonds / rest[:, None]
-    x = 1.0 + strain
-    along = modulus / rest * x
-    across = modulus / rest * 0.5 * (x * x - 1.0) / x
-    tensors = np.einsum("b,bi,bj->bij", along - across, n, n) + across[:, None, None] * np.eye(3)
-
-    def minus_largest(q):
-        return -np.linalg.eigvalsh(np.einsum("b,bij->ij", 1.0 - np.cos(bonds @ q), tensors))[-1] / mass
-
-    starts = np.random.default_rng(1).uniform(-np.pi / edge, np.pi / edge, (40, 3))
-    return -min(minimize(minus_largest, start, tol=1e-12).fun for start in starts)
-
-
-@pytest.mark.parametrize("kind, edge, reach, exact, rule", LATTICES)
-def test_lattices(run_lammps, kind, edge, reach, exact, rule):
-    script, mass = crystal(kind, edge, reach)
+@pytest.mark.parametrize("kind, reach, exact, rule", CRITICAL_STEPS)
+def test_lattices(run_lammps, kind, reach, exact, rule):
+    script, mass = scripts.periodic_crystal(kind, reach), lattices.volume(kind)
     step, elastic, stiffest, _ = critical(run_lammps, script)
     # the section that gives E = 1, from the rule's column: the stiffest bond is the shortest one
-    rest = np.linalg.norm(shells(kind, edge, reach), axis=1).min()
+    rest = lattices.shells(kind, reach)[0].min()
     modulus = mass * rest / stiffest**2
-    frequency2 = largest_frequency2(kind, edge, reach, mass, modulus)
+    frequency2 = lattices.largest_frequency2(kind, reach, mass, modulus)
     # the table has three digits
     assert stiffest == pytest.approx(rule, abs=6e-4)
     assert 2 / np.sqrt(frequency2) == pytest.approx(exact, abs=6e-4)
@@ -99,15 +40,15 @@ def test_lattices(run_lammps, kind, edge, reach, exact, rule):
 def test_strained_lattices(run_lammps, strain):
     """what a stretched bond carries makes it stiff across, too: without that part the bound would be too long"""
     missed = []
-    for kind, edge, reach, *_ in LATTICES:
-        script, mass = crystal(kind, edge, reach, strain)
+    for kind, reach, *_ in CRITICAL_STEPS:
+        script, mass = scripts.periodic_crystal(kind, reach, strain), lattices.volume(kind)
         step, _, stiffest, _ = critical(run_lammps, script)
-        rest = np.linalg.norm(shells(kind, edge, reach), axis=1).min()
+        rest = lattices.shells(kind, reach)[0].min()
         modulus = mass * rest / stiffest**2 / (1 + strain)
-        exact = 2 / np.sqrt(largest_frequency2(kind, edge, reach, mass, modulus, strain))
+        exact = 2 / np.sqrt(lattices.largest_frequency2(kind, reach, mass, modulus, strain))
         assert 0.75 * exact < step < exact * (1 + SAME), (kind, reach)
-        bonds = shells(kind, edge, reach)
-        along = modulus * (1 + strain) * np.einsum("bi,bj,b->ij", bonds, bonds, np.sum(bonds**2, axis=1)**-1.5)
+        lengths, n = lattices.shells(kind, reach)
+        along = modulus * (1 + strain) * np.einsum("bi,bj,b->ij", n, n, 1 / lengths)
         missed.append(2 / np.sqrt(2 * np.linalg.eigvalsh(along)[-1] / mass) > 1.001 * exact)
     assert any(missed) == (strain > 0)
 
@@ -204,11 +145,11 @@ def random_body(penetration=0, shaken=0.12):
             bonded = length < reach
             if not bonded and r >= mean:
                 continue
-            modulus = E * scripts.section(mean, a if bonded else contact)
+            modulus = E * formulas.section(mean, a if bonded else contact)
             unstretched = length if bonded else mean
 
             def force(r, modulus=modulus, unstretched=unstretched):
-                return -scripts.truss_tension(r / unstretched, modulus, penetration)
+                return -formulas.truss_tension(r / unstretched, modulus, penetration)
 
             springs.add(i, j, (now[i] - now[j]) / r, slope(force, r), -force(r) / r)
     return script, springs
@@ -253,7 +194,7 @@ fix ball all potdem/wall/region below {hertz}
 
 
 def heap_springs(law, x, wall=True):
-    springs = Springs([scripts.sphere_mass(d) for d in DIAMETERS])
+    springs = Springs([formulas.sphere_mass(d) for d in DIAMETERS])
     for i in range(len(x)):
         for j in range(i):
             r = np.linalg.norm(x[i] - x[j])
@@ -315,9 +256,9 @@ def is_stable_up_to(run_lammps, script, step, exact):
     assert growth(run_lammps, script, 1.1 * exact, 18) > BLOWN_UP
 
 
-@pytest.mark.parametrize("kind, edge, reach, exact, rule", LATTICES[2:6:3])
-def test_stability_of_a_lattice(run_lammps, kind, edge, reach, exact, rule):
-    script, _ = crystal(kind, edge, reach)
+@pytest.mark.parametrize("kind, reach, exact, rule", CRITICAL_STEPS[2:6:3])
+def test_stability_of_a_lattice(run_lammps, kind, reach, exact, rule):
+    script = scripts.periodic_crystal(kind, reach)
     script += "fix move all nve\n"
     step = critical(run_lammps, script)[0]
     is_stable_up_to(run_lammps, script, step, exact)
@@ -346,7 +287,7 @@ def test_stability_of_a_heap(run_lammps, tmp_path, law):
     script = squeezed(law)
     places = scripts.write_dump("settled.dump", "x y z")
     step = critical(run_lammps, script + places)[0]
-    _, columns = scripts.read_dump(tmp_path / "settled.dump")[-1]
+    columns = dumps.read(tmp_path / "settled.dump")[-1]
     exact = heap_springs(law, scripts.vectors(columns, "x", "y", "z")).exact
     assert 0.8 * exact < step < exact * (1 + BY_DIFFERENCES)
     is_stable_up_to(run_lammps, script, step, exact)
@@ -363,7 +304,7 @@ def two(bond="", more="", masses=(1.0, 1.0)):
 
 def two_step(masses=(1.0, 1.0)):
     """2/omega of them"""
-    return 2 / np.sqrt(scripts.section(1.0) * (1 / masses[0] + 1 / masses[1]))
+    return 2 / np.sqrt(formulas.section(1.0) * (1 / masses[0] + 1 / masses[1]))
 
 
 # steps in which a tremble grows beyond doubt: the more damping, the slower
@@ -393,7 +334,7 @@ def test_numerical_damping(run_lammps, strength):
 def test_a_light_particle_at_a_heavy_one(run_lammps, ratio):
     """exact for equal masses, and for very different ones; in between 10 % below"""
     step, *_, particle = critical(run_lammps, two(masses=(ratio, 1.0)))
-    assert step == pytest.approx(2 / np.sqrt(scripts.section(1.0) * (1 + 1 / np.sqrt(ratio))), rel=SAME)
+    assert step == pytest.approx(2 / np.sqrt(formulas.section(1.0) * (1 + 1 / np.sqrt(ratio))), rel=SAME)
     assert 0.9 * two_step((ratio, 1.0)) < step <= two_step((ratio, 1.0)) * (1 + SAME)
     assert particle == (1 if ratio == 1.0 else 2)
 
@@ -405,7 +346,7 @@ def test_viscous_contact_with_friction(run_lammps, rotation):
     script = scripts.box(20) + "bond_style none\n" + scripts.particles([(0, 0, 0, 1.0), (1.0 - w, 0, 0, 1.0)])
     script += f"pair_style potdem/hertz rotation {rotation}\n"
     script += f"pair_coeff * * {law.coeff} viscous {H} friction 0.3 "
-    prefactor, mass = law.prefactor(1.0, 1.0), scripts.sphere_mass(1.0)
+    prefactor, mass = law.prefactor(1.0, 1.0), formulas.sphere_mass(1.0)
     k = 2 * 1.5 * prefactor * np.sqrt(w) / mass
     along = 2 * prefactor * H * np.sqrt(w) / mass
     # a sphere that may spin gives way at its surface: 1/m + arm^2/I, arm from the centre to the contact
@@ -427,7 +368,7 @@ def test_viscous_wall_with_friction(run_lammps):
     script = scripts.box(20) + "bond_style none\npair_style none\n" + scripts.particles([(0, 0, 0.5 - w, 1.0)])
     script += "region floor plane 0 0 0 0 0 1\n"
     script += f"fix floor all potdem/wall/region floor 1e3 0.3 particle 1e3 0.3 layer none viscous {H} friction 0.3 "
-    prefactor, mass = 4 / 3 * law.modulus * np.sqrt(0.5), scripts.sphere_mass(1.0)
+    prefactor, mass = 4 / 3 * law.modulus * np.sqrt(0.5), formulas.sphere_mass(1.0)
     k = 1.5 * prefactor * np.sqrt(w) / mass
     for friction, c in (("auto", prefactor * H * np.sqrt(w) / mass), (eta, eta / mass)):
         stable, elastic, stiffest, particle = critical(run_lammps, script + f"{friction}\n")
@@ -444,11 +385,11 @@ def test_partners_outside_the_group_count(run_lammps):
     script = scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (1.0, 0, 0, 1.0), (2.0, 0, 0, 1.0)])
     script += "set atom 2 mass 1.0\nset atom 1 mass 1.0\nset atom 3 mass 1.0\n"
     script += scripts.elastic(E=1.0, area="factor 1.0") + "potdem_bonds all 1 1.2\ngroup free id 1 2\ngroup ends id 1 3\n"
-    script = script + PRINT
+    script = script + scripts.CRITICAL_STEP
     for group, springs in (("free", 2), ("ends", 1)):
         run = run_lammps(script.replace("compute critical all", f"compute critical {group}"))
         step, *_, particle = scripts.results(run.stdout)[-1]
-        assert step == pytest.approx(2 / np.sqrt(2 * springs * scripts.section(1.0)), rel=SAME)
+        assert step == pytest.approx(2 / np.sqrt(2 * springs * formulas.section(1.0)), rel=SAME)
         assert particle == (2 if group == "free" else 1)
 
 
@@ -474,14 +415,14 @@ def approach(gap, speed, wall):
 @pytest.mark.parametrize("wall", [False, True])
 def test_ahead(run_lammps, wall):
     """approaching partners count as stiff as they will be at the largest overlap: 2/5 K w^(5/2) = m v^2/2"""
-    speed, mass = 0.7, scripts.sphere_mass(1.0)
+    speed, mass = 0.7, formulas.sphere_mass(1.0)
     prefactor = 4 / 3 * Hertz(1e3, 0.3).modulus * np.sqrt(0.5 if wall else 0.25)
     moving, share = (mass, 1) if wall else (mass / 2, 2)
     w = (1.25 * moving * speed**2 / prefactor)**0.4
     expected = 2 / np.sqrt(share * 1.5 * prefactor * np.sqrt(w) / mass)
 
     def ahead(gap, u, time):
-        script = approach(gap, u, wall) + PRINT.replace("timestep\n", f"timestep ahead {time}\n")
+        script = approach(gap, u, wall) + scripts.CRITICAL_STEP.replace("timestep\n", f"timestep ahead {time}\n")
         return scripts.results(run_lammps(script).stdout)[-1][0]
 
     # to a tenth of the energy: overlap to its 2/5, step to a quarter of that, 1 %
@@ -521,7 +462,7 @@ def test_same_on_any_number_of_ranks_and_threads(run_lammps):
     """the particle is looked at by its place: LAMMPS numbers them differently on different numbers of ranks"""
     tail = scripts.result("c_critical", "c_critical[1]", "c_critical[2]")
     tail += 'variable p equal c_critical[3]\nprint "RESULT $(x[v_p]:%.9g) $(y[v_p]:%.9g) $(z[v_p]:%.9g) 0 0"\n'
-    script = everything() + PRINT.split("RESULT")[0].rsplit("print", 1)[0] + tail
+    script = everything() + scripts.CRITICAL_STEP.split("RESULT")[0].rsplit("print", 1)[0] + tail
 
     def values(text, nprocs):
         kinds = scripts.results_by_length(run_lammps(text, nprocs=nprocs).stdout)
@@ -546,7 +487,7 @@ def test_hybrid_styles_add_up(run_lammps):
 
     def step(*laws):
         stiffness = sum(slope(lambda r: law(r, 1.0, 1.0)[1], 0.9) for law in laws)
-        return 2 / np.sqrt(2 * stiffness / scripts.sphere_mass(1.0))
+        return 2 / np.sqrt(2 * stiffness / formulas.sphere_mass(1.0))
 
     overlay = f"""pair_style hybrid/overlay potdem/hertz potdem/truss
 pair_coeff * * potdem/hertz {hertz.coeff}
@@ -558,7 +499,7 @@ pair_coeff 1 1 potdem/hertz {hertz.coeff}
 pair_coeff 1 2 potdem/truss {truss.coeff}
 pair_coeff 2 2 lj/cut 1 1
 """
-    run = run_lammps(script + hybrid + PRINT)
+    run = run_lammps(script + hybrid + scripts.CRITICAL_STEP)
     assert scripts.results(run.stdout)[-1][0] == pytest.approx(min(step(hertz), step(truss)), rel=BY_DIFFERENCES)
     assert "does not know the stiffness of pair_style lj/cut" in run.stdout
     assert "potdem/truss" not in run.stdout.split("does not know")[1].splitlines()[0]

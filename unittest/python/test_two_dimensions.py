@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-import scripts
-from pair_formulas import Granular, Hertz, ShiftedLJ, Truss, by_sum
+
+from potdem import dumps, formulas, scripts
+from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss, by_sum
 
 CLUSTER = [(0.0, 0.0, 0.0, 1.0, 1), (0.9, 0.2, 0.0, 1.2, 1), (0.3, -0.8, 0.0, 0.8, 1), (-0.7, 0.5, 0.0, 0.9, 1)]
 OUTPUT = "f.dump", "fx fy fz"
@@ -32,7 +33,7 @@ pair_coeff * * {law.coeff}
 run 0
 """ + scripts.write_dump(*OUTPUT) + scripts.result("pe")
     energy = scripts.results(run_lammps(script).stdout)[0][0]
-    force = scripts.vectors(scripts.read_dump(tmp_path / "f.dump")[0][1], "fx", "fy", "fz")
+    force = scripts.vectors(dumps.read(tmp_path / "f.dump")[0], "fx", "fy", "fz")
     expected_energy, expected = by_sum(CLUSTER, lambda i, j: [law])
     assert np.abs(expected).max() > 1.0
     assert energy == pytest.approx(expected_energy, rel=1e-12)
@@ -61,7 +62,7 @@ run 0
 
 def test_bonds_and_strain_in_the_plane(run_lammps, tmp_path):
     run_lammps(stretched() + scripts.write_dump("s.dump", "x y fx fy fz c_s[1] c_s[2] c_s[3] c_s[4] c_s[8]"))
-    table = scripts.read_dump(tmp_path / "s.dump")[0][1]
+    table = dumps.read(tmp_path / "s.dump")[0]
     x = scripts.vectors(table, "x", "y")
     start = x / [1.03, 0.99]
     force = np.zeros_like(x)
@@ -69,7 +70,7 @@ def test_bonds_and_strain_in_the_plane(run_lammps, tmp_path):
         for j in range(i):
             length, r = np.linalg.norm(start[i] - start[j]), np.linalg.norm(x[i] - x[j])
             if length < 1.5:
-                pull = scripts.truss_tension(r / length, 1000.0 * scripts.section(1.0, 0.5)) * (x[j] - x[i]) / r
+                pull = formulas.truss_tension(r / length, 1000.0 * formulas.section(1.0, 0.5)) * (x[j] - x[i]) / r
                 force[i] += pull
                 force[j] -= pull
     assert np.abs(force).max() > 1.0

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import formulas, scripts
 
 E, A = 1000.0, 0.5
 # forces and energies are products of a dozen factors: rounding 1e-15 each
@@ -43,12 +44,12 @@ def test_bond_force_and_energy(run_lammps, keyword, m, normalized):
         script += scripts.result("ebond", "evdwl", "fx[1]", "fx[2]", "fy[2]", "c_d[1]", "c_d[2]", "c_d[3]", "pxx*vol")
     rows = scripts.results(run_lammps(script).stdout)
     assert len(rows) == len(STRETCHES)
-    modulus = E * scripts.section(0.5 * (d1 + d2), A)
+    modulus = E * formulas.section(0.5 * (d1 + d2), A)
     for x, (ebond, evdwl, f1, f2, fy, dist, energy, force, virial) in zip(STRETCHES, rows):
-        tension = scripts.truss_tension(x, modulus, m, normalized)
+        tension = formulas.truss_tension(x, modulus, m, normalized)
         # the stored length is rounded, which matters where the stretch is a small difference
         slack = 2e-15 * modulus * (1 + 1 / x)
-        expected = scripts.truss_energy(x, length, modulus, m, normalized)
+        expected = formulas.truss_energy(x, length, modulus, m, normalized)
         # with the factor the energy is a table good to 1e-10
         assert ebond == pytest.approx(expected, rel=1e-10 if m else 1e-13, abs=1e-15 * modulus)
         assert energy == pytest.approx(ebond, rel=1e-13)
@@ -71,8 +72,8 @@ def test_bond_dashpot(run_lammps):
         script += f"group g{atom} id {atom}\nvelocity g{atom} set {v[0]} {v[1]} {v[2]}\n"
     script += outputs() + "run 0\n" + scripts.result("fx[1]", "fy[1]", "fz[1]", "fx[2]", "ebond")
     fx1, fy1, fz1, fx2, energy = scripts.results(run_lammps(script).stdout)[0]
-    masses = scripts.sphere_mass(1.0), scripts.sphere_mass(1.4)
-    stiffness = E * scripts.section(1.2, A) / length
+    masses = formulas.sphere_mass(1.0), formulas.sphere_mass(1.4)
+    stiffness = E * formulas.section(1.2, A) / length
     reduced = masses[0] * masses[1] / (masses[0] + masses[1])
     expected = 2 * xi * np.sqrt(stiffness * reduced) * (v2[0] - v1[0])
     # the elastic force is zero but for the rounding of the length, 1e-16 of the modulus
@@ -85,7 +86,7 @@ def test_bond_dashpot_takes_the_energy_of_an_oscillator(run_lammps):
     """the logarithmic decrement of a lightly damped, nearly linear pair"""
     xi, strain = 0.05, 1e-5
     script = pair_of() + scripts.elastic(E, f"factor {A}", f"damping {xi}") + "potdem_bonds all 1 1.2\n"
-    omega = np.sqrt(E * scripts.section(1.0, A) / (0.5 * scripts.sphere_mass(1.0)))
+    omega = np.sqrt(E * formulas.section(1.0, A) / (0.5 * formulas.sphere_mass(1.0)))
     period = 2 * np.pi / (omega * np.sqrt(1 - xi**2))
     script += f"displace_atoms all move 0 0 0\nset atom 2 x {1 + strain:.17g}\nfix 1 all nve\n"
     script += f"timestep {period / 2000:.17g}\n"
@@ -106,16 +107,16 @@ def test_contact_force_and_energy(run_lammps, keyword, m, normalized):
     script += "bond_style none\n"
     for r in distances:
         script += f"set atom 2 x {r:.17g}\nrun 0\n" + scripts.result("evdwl", "fx[1]", "fx[2]", "fy[1]", "pxx*vol")
-    modulus = E * scripts.section(mean, A)
+    modulus = E * formulas.section(mean, A)
     for r, (energy, f1, f2, fy, virial) in zip(distances, scripts.results(run_lammps(script).stdout)):
         if r >= mean:
             assert (energy, f1, f2, virial) == (0.0, 0.0, 0.0, 0.0)
             continue
-        push = -scripts.truss_tension(r / mean, modulus, m, normalized)
+        push = -formulas.truss_tension(r / mean, modulus, m, normalized)
         slack = 2e-15 * modulus    # rounding of r/dbar where the strain is small
         assert f2 == pytest.approx(push, rel=1e-12, abs=slack)
         assert f1 == -f2 and fy == 0.0
-        assert energy == pytest.approx(scripts.truss_energy(r / mean, mean, modulus, m, normalized),
+        assert energy == pytest.approx(formulas.truss_energy(r / mean, mean, modulus, m, normalized),
                                        rel=1e-10 if m else 1e-12, abs=slack)
         assert virial == pytest.approx(push * r, rel=1e-12, abs=slack)
 
@@ -126,8 +127,8 @@ def test_contact_of_two_materials(run_lammps):
     script = pair_of(1.0, 1.0, r, types=2) + "bond_style none\npair_style potdem/truss\n"
     script += f"pair_coeff 1 1 {E1} {a1}\npair_coeff 2 2 {E2} {a2}\n" + outputs() + "run 0\n" + scripts.result("fx[2]")
     force = scripts.results(run_lammps(script).stdout)[0][0]
-    modulus = 2 / (1 / E1 + 1 / E2) * scripts.section(1.0, 0.5 * (a1 + a2))
-    assert force == pytest.approx(-scripts.truss_tension(r, modulus), **EXACT)
+    modulus = 2 / (1 / E1 + 1 / E2) * formulas.section(1.0, 0.5 * (a1 + a2))
+    assert force == pytest.approx(-formulas.truss_tension(r, modulus), **EXACT)
 
 
 def test_contact_through_single(run_lammps):
@@ -153,7 +154,7 @@ def sliding(run_lammps, friction, velocity, r=0.9, step=1e-4):
 
 
 def normal_force(r=0.9):
-    return -scripts.truss_tension(r, E * scripts.section(1.0, A))
+    return -formulas.truss_tension(r, E * formulas.section(1.0, A))
 
 
 @pytest.mark.parametrize("mu, eta, regime", [(0.4, 2.0, "viscous"), (0.4, 1e6, "Coulomb"), (0.0, 5.0, "none")])
@@ -174,7 +175,7 @@ def test_friction_at_rest_is_exactly_zero(run_lammps):
 
 def test_friction_auto(run_lammps):
     """viscosity = reduced mass / step, up to the Coulomb limit"""
-    step, reduced = 1e-3, 0.5 * scripts.sphere_mass(1.0)
+    step, reduced = 1e-3, 0.5 * formulas.sphere_mass(1.0)
     slow = 0.5 * 0.4 * normal_force() * step / reduced
     for speed, size in ((slow, reduced / step * slow), (100 * slow, 0.4 * normal_force())):
         _, second = sliding(run_lammps, "0.4 auto", (0, speed, 0), step=step)
@@ -285,7 +286,7 @@ def test_wall_friction(run_lammps, eta):
 
 def test_wall_friction_auto(run_lammps):
     """mass / step; one explicit step stops the sliding and does not reverse it"""
-    step, mass = 1e-3, scripts.sphere_mass(1.0)
+    step, mass = 1e-3, formulas.sphere_mass(1.0)
     slow = 0.3 * 0.35 * wall_force(0.45) * step / mass
     force, _, _ = wall_run(run_lammps, 0.45, (slow, 0, 0), "friction 0.35 auto", step=step)
     assert force[0] == pytest.approx(-mass * slow / step, **EXACT)

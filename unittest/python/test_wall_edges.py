@@ -4,11 +4,12 @@ gives where LAMMPS's regions fall short."""
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import formulas, scripts
 
 RADIUS = 0.5
 LAW = "law truss 1000 0.8"
-STIFFNESS = 1000 * scripts.section(RADIUS, 0.8) / RADIUS    # largest of the law; F/r of a turning normal is below it
+STIFFNESS = 1000 * formulas.section(RADIUS, 0.8) / RADIUS    # largest of the law; F/r of a turning normal is below it
 
 
 def start(regions, place, more=""):

@@ -1,11 +1,10 @@
 """Walls that move, turn and grow: what friction, the viscous term and the ledger see of their velocity."""
 
-import math
-
 import numpy as np
 import pytest
-import scripts
 from test_wall_edges import LAW, RADIUS, STIFFNESS, start
+
+from potdem import scripts
 
 HERTZ = "1e4 0.2 particle 1e4 0.2"
 HEIGHT = 0.45

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 import pytest
-import scripts
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
+from potdem import formulas, scripts
+
 G, DIAMETER, DENSITY = 9.81, 0.01, 2000.0
-RADIUS, MASS = 0.5 * DIAMETER, scripts.sphere_mass(DIAMETER, DENSITY)
+RADIUS, MASS = 0.5 * DIAMETER, formulas.sphere_mass(DIAMETER, DENSITY)
 LAYER, EXPONENT = 0.1 * RADIUS, 2
 HERTZ = 4 / 3 / ((1 - 0.2**2) / 3e6 + (1 - 0.2**2) / 3e8) * math.sqrt(RADIUS)
 WALL = "3e8 0.2 particle 3e6 0.2"

@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
-import scripts
+
+from potdem import formulas, scripts
 
 G, RADIUS, DENSITY = 10.0, 0.5, 2.0
-MASS = scripts.sphere_mass(2 * RADIUS, DENSITY)
+MASS = formulas.sphere_mass(2 * RADIUS, DENSITY)
 
 
 def modulus(weight):

@@ -2,10 +2,10 @@
 
 import itertools
 
-import network
 import numpy as np
 import pytest
-import scripts
+
+from potdem import dumps, formulas, networks, scripts
 
 SMALL = 1e-6     # velocities: strains of this order, so that the truss is linear to as much
 A = 0.5          # area factor
@@ -27,7 +27,7 @@ def squared_frequency(lattice, reach, k, polarization):
     """m omega^2 = sum of A E / r n_p^2 (1 - cos k x) over the bonds of a particle"""
     vectors = bonds(lattice, reach)
     lengths = np.linalg.norm(vectors, axis=1)
-    stiffness = scripts.section(NEAREST[lattice], A) / lengths
+    stiffness = formulas.section(NEAREST[lattice], A) / lengths
     return np.sum(stiffness * (vectors[:, polarization] / lengths) ** 2 * (1 - np.cos(k * vectors[:, 0])))
 
 
@@ -83,7 +83,7 @@ def test_dispersion_of_plane_waves(run_lammps, lattice, reach, polarization, wav
 def test_pulse_over_200_particles(run_lammps, tmp_path, reach):
     """a line of particles; one is struck. On a periodic line of N each wave k = 2 pi m / N goes its own way: the velocities
     are v_j(t) = 1/N sum cos(omega_k t) cos(k j), dispersion and all"""
-    stiffness = scripts.section(1.0, A) / np.arange(1, reach + 1)
+    stiffness = formulas.section(1.0, A) / np.arange(1, reach + 1)
     front = np.sqrt(np.sum(stiffness * np.arange(1, reach + 1) ** 2))    # speed of the longest waves
     number, dt = 500, 0.02
     steps = 2 * round(205 / (2 * front * dt))
@@ -97,9 +97,9 @@ def test_pulse_over_200_particles(run_lammps, tmp_path, reach):
     squared = sum(2 * s * (1 - np.cos(n * k)) for n, s in enumerate(stiffness, start=1))
     # what the step makes of each frequency: sin(omega' dt / 2) = omega dt / 2
     omega = 2 / dt * np.arcsin(np.sqrt(squared) * dt / 2)
-    for step, table in scripts.read_dump(tmp_path / "v.dump")[1:]:
+    for table in dumps.read(tmp_path / "v.dump")[1:]:
         place = np.round(table["x"] - 0.5)
-        expected = SMALL * np.cos(np.outer(place, k)) @ np.cos(omega * step * dt) / number
+        expected = SMALL * np.cos(np.outer(place, k)) @ np.cos(omega * table.step * dt) / number
         assert np.abs(table["vx"] - expected).max() < 1e-5 * SMALL
     # at the end 200 particles on either side have been passed, and no more than a few beyond
     moved = np.abs(table["vx"])
@@ -109,7 +109,7 @@ def test_pulse_over_200_particles(run_lammps, tmp_path, reach):
 
 def axial_modulus(points, reach):
     """of a bar along x with 25 particles in each layer"""
-    return network.axial_stiffness(points, network.stiffness(points, network.bonds(points, reach), scripts.section(1.0, A))) / 25
+    return networks.axial_stiffness(points, networks.stiffness(points, networks.bonds(points, reach), formulas.section(1.0, A))) / 25
 
 
 def first_vibration(run_lammps, script, length, expected, dt=0.3):

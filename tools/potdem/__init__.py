@@ -1,0 +1,3 @@
+"""What the programs of this project share: formulas, LAMMPS and its files, networks, scenes, comparison, pictures, reports.
+
+Found by PYTHONPATH: tools/python and the project's scripts set it, pytest.ini does for the tests."""

@@ -1,0 +1,40 @@
+"""The thesis's claims: what a scene's claims.py measures, and the table of all."""
+
+from dataclasses import dataclass, replace
+
+from potdem.scenes.scene import load
+
+HEADER = ("| | claim | thesis | measured | holds |", "|---|---|---|---|---|")
+
+
+@dataclass
+class Claim:
+    """number: in design order, e.g. '2' or '4b'; verdict: 'yes', 'no', or 'partly' with the reason in measured"""
+
+    number: str
+    text: str
+    thesis: str
+    measured: str
+    verdict: str
+    scene: str = ""    # by of_scene
+
+
+def of_scene(scene, folder_of):
+    """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant) -> Path"""
+    if not scene.claims:
+        return []
+    return [replace(found, scene=scene.name) for found in load(scene.claims).claims(folder_of)]
+
+
+def order(claim):
+    digits = "".join(c for c in claim.number if c.isdigit())
+    return int(digits or 0), claim.number
+
+
+def table(claims, linked=False):
+    """Markdown, by number; linked: for a page in docs, the numbers lead to the pages of the scenes"""
+    def number(c):
+        return f"[{c.number}](../examples/{c.scene}/README.md)" if linked else c.number
+
+    rows = [f"| {number(c)} | {c.text} | {c.thesis} | {c.measured} | {c.verdict} |" for c in sorted(claims, key=order)]
+    return "\n".join([*HEADER, *rows])

@@ -1,0 +1,145 @@
+"""Runs a scene's variants, compares each with its reference log and draws its picture (see examples/run)."""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+
+from potdem import compare, logs, paraview, running
+from potdem.paths import with_package
+from potdem.progress import Progress
+from potdem.scenes import scene as scenes
+
+
+class Failure(Exception):
+    """what ends the whole run"""
+
+
+def list_scenes():
+    for name in scenes.names():
+        scene = scenes.Scene(name)
+        print(f"{name}: {scene.title}")
+        for variant, settings in scene.variants.items():
+            if variant:
+                mark = "*" if variant in scene.default_variants else " "
+                print(f"  {mark} {variant:<20} {(settings or {}).get('description', '')}".rstrip())
+    print("\nThe variants marked * run when none is named.")
+
+
+def simulate(variant, nprocs, progress):
+    """the log of a new run"""
+    folder = variant.output(nprocs)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    log = folder / "log.running"
+    # relative, because LAMMPS repeats it in the log, which may become a reference
+    out = os.path.relpath(folder, variant.scene.folder)
+    arguments = running.command(variant.scene.script, {**variant.variables, "out": out}, log, nprocs)
+    problem = running.watched(arguments, variant.scene.folder, progress)
+    if problem:
+        raise Failure(f"{problem}\nlog: {log}\ncommand: {' '.join(arguments)}")
+    return log.rename(folder / variant.log_name(scenes.version_of(log), nprocs))
+
+
+def make_reference(variant, log):
+    shutil.copy(log, variant.scene.folder / log.name)
+
+
+def check(variant, log, nprocs):
+    """reference log and the checks of the comparison with it"""
+    reference = variant.reference(scenes.version_of(log), nprocs)
+    return reference, compare.compare(logs.read_thermo(log), logs.read_thermo(reference), variant.scene.rules)
+
+
+def count(checks):
+    """(passed, failed)"""
+    passed = sum(check.passed for check in checks)
+    return passed, len(checks) - passed
+
+
+def draw(variant, folder):
+    """the picture, or None where the scene draws none"""
+    if not variant.scene.plot:
+        return None
+    picture = folder / f"{variant.label}.png"
+    drawn = subprocess.run([sys.executable, str(variant.scene.plot), str(folder), str(picture)],
+                           cwd=variant.scene.folder, env=with_package(), check=False)
+    if drawn.returncode != 0 or not picture.exists():
+        raise Failure(f"{variant.scene.plot} drew no picture")
+    return picture
+
+
+def film_of(scene):
+    """how to show the scene's frames (picture.Film); the scene's plot.py has one where there is a dump"""
+    film = getattr(scenes.load(scene.plot), "FILM", None) if scene.plot else None
+    if not film:
+        raise Failure(f"{scene.name} has no animation: it dumps no frames")
+    return film
+
+
+def animate(variant, folder):
+    path = folder / f"{variant.label}.gif"
+    film_of(variant.scene).animate(folder, path)
+    return path
+
+
+def write_for_paraview(variant, folder):
+    return paraview.write(film_of(variant.scene).frames(folder), folder / "paraview", variant.label)
+
+
+def run_variant(variant, arguments):
+    log = simulate(variant, arguments.np, Progress(f"{variant.label} on {arguments.np} rank(s)"))
+    if arguments.update_reference:
+        make_reference(variant, log)
+    reference, checks = check(variant, log, arguments.np)
+    print(f"\ncompared with {reference.name}")
+    if reference.name != log.name:
+        print(f"  (there is no reference {log.name})")
+    print(compare.report(checks))
+    picture = draw(variant, log.parent)
+    print(f"\nlog:     {log}")
+    if picture:
+        print(f"picture: {picture}")
+    if arguments.animate:
+        print(f"film:    {animate(variant, log.parent)}")
+    if arguments.paraview:
+        print(f"frames:  {write_for_paraview(variant, log.parent)}")
+    return count(checks)
+
+
+def parse(argv):
+    parser = argparse.ArgumentParser(prog="examples/run")
+    parser.add_argument("scene", nargs="?")
+    parser.add_argument("variants", nargs="*")
+    parser.add_argument("-np", type=int, default=1, metavar="N")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--update-reference", action="store_true")
+    parser.add_argument("--animate", action="store_true")
+    parser.add_argument("--paraview", action="store_true")
+    arguments = parser.parse_intermixed_args(argv)
+    if not arguments.list and not arguments.scene:
+        parser.error("which scene? (--list names them)")
+    if arguments.np < 1:
+        parser.error("-np must be at least 1")
+    return arguments
+
+
+def main(argv):
+    arguments = parse(argv)
+    if arguments.list:
+        list_scenes()
+        return 0
+    scene = scenes.Scene(arguments.scene)
+    variants = [scene.variant(name) for name in arguments.variants or scene.default_variants]
+    counts = [run_variant(variant, arguments) for variant in variants]
+    passed, failed = (sum(count) for count in zip(*counts))
+    print(f"{passed} checks passed, {failed} failed")
+    return 0 if failed == 0 and passed > 0 else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except (Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
+        sys.exit(str(problem))
