@@ -5,6 +5,7 @@ import pytest
 import test_energy_ledger as ledger
 
 from potdem import collisions, dumps, scripts
+from potdem.text import replaced
 
 GROWTH = 1.05    # at most, from one evaluation to the next
 ROUNDING = 1e-12
@@ -169,7 +170,7 @@ def shaken(fraction=0.5, every=2):
 def test_a_run_in_pieces(run_lammps, tmp_path, pieces):
     whole = run_lammps(lattice(shaken())).thermo
     state = end(tmp_path)
-    parts = run_lammps(lattice(shaken()).replace("run 60", pieces)).thermo
+    parts = run_lammps(replaced(lattice(shaken()), "run 60", pieces)).thermo
     assert np.ptp(whole["Dt"]) > 1e-3 * whole["Dt"][0]
     for column in whole:
         assert parts[column] == pytest.approx(whole[column], rel=1e-9), column

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, networks, scripts
+from potdem.text import replaced
 
 
 AREAS = """
@@ -20,7 +21,7 @@ undump areas
 
 
 def styles(area="body", E=1000.0, types="*"):
-    return scripts.elastic(E, area).replace("bond_coeff *", f"bond_coeff {types}")
+    return replaced(scripts.elastic(E, area), "bond_coeff *", f"bond_coeff {types}")
 
 
 def write_particles(folder, x, d, mass=None):
@@ -144,8 +145,7 @@ def test_areas_come_from_the_restart_file(run_lammps, tmp_path):
     """they belong to the undeformed body: after a restart of the deformed one they are the same to the last bit, and a
     second run does not change them either"""
     body = networks.beam("sc", 4, 8)
-    after = ("change_box all x scale 1.2 remap\nrun 0\nwrite_restart stretched.restart\n" + AREAS.format("second.dump")
-             .replace("compute", "#compute"))
+    after = ("change_box all x scale 1.2 remap\nrun 0\nwrite_restart stretched.restart\n" + replaced(AREAS.format("second.dump"), "compute", "#compute"))
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body, after=after)
     assert np.array_equal(areas_of(tmp_path, "second.dump")[1], areas)
     again = "read_restart stretched.restart\n" + "pair_style potdem/truss\npair_coeff * * 1000 0.5\n" + AREAS.format("third.dump")
@@ -161,7 +161,7 @@ def test_data_files_keep_the_mode(run_lammps, tmp_path):
     _, _, areas = solve_in_lammps(run_lammps, tmp_path, body, area="body density 2", mass=2 * body.v,
                                   after="write_data body.data nocoeff\nwrite_data coeffs.data\n")
     assert "area body density 2" in (tmp_path / "coeffs.data").read_text()
-    text = HEAD.replace("particles.data", "body.data") + "special_bonds lj 0 1 1 coul 0 1 1\n" + styles("body density 2")
+    text = replaced(HEAD, "particles.data", "body.data") + "special_bonds lj 0 1 1 coul 0 1 1\n" + styles("body density 2")
     run_lammps(text + AREAS.format("again.dump"))
     assert areas_of(tmp_path, "again.dump")[1] == pytest.approx(areas, rel=1e-10)
 
@@ -193,7 +193,7 @@ def test_units(run_lammps, tmp_path):
     _, _, large = solve_in_lammps(run_lammps, tmp_path, body)
     small = networks.Body(1e-3 * body.x, 1e-3 * body.d, 1e-9 * body.v, 1e-3 * body.size)
     write_particles(tmp_path, small.x - 0.5 * small.size, small.d)
-    text = HEAD.replace("neighbor 0.3", "neighbor 3e-4") + styles() + "potdem_bonds all 1 2.0 diameters\n"
+    text = replaced(HEAD, "neighbor 0.3", "neighbor 3e-4") + styles() + "potdem_bonds all 1 2.0 diameters\n"
     run_lammps(text + AREAS.format("areas.dump"))
     assert areas_of(tmp_path)[1] == pytest.approx(1e-6 * large, rel=1e-8)
 

@@ -3,6 +3,7 @@
 import pytest
 
 from potdem import scripts
+from potdem.text import replaced
 
 BOX = scripts.box(20, types=2, bond_types=2)
 ATOMS = scripts.particles([(0, 0, 0, 1.0, 1), (1.0, 0, 0, 1.0, 2)])
@@ -74,7 +75,7 @@ CASES = {
     "bond area lattice without a lattice": (bond("* 5 area lattice\npotdem_bonds all 1 1.2\nrun 0"),
                                             ["area lattice for bond type 1", "cubic", "use area body or area factor"]),
     "bonds made with newton on": (
-        BOND.replace("bond/types 2", "bond/types 2 extra/bond/per/atom 1 extra/special/per/atom 9") + "bond_coeff * 5 area factor 0.5\n"
+        replaced(BOND, "bond/types 2", "bond/types 2 extra/bond/per/atom 1 extra/special/per/atom 9") + "bond_coeff * 5 area factor 0.5\n"
         "special_bonds lj 0 1 1 coul 0 1 1\ncreate_bonds single/bond 1 1 2\nrun 0",
         ["newton off for bonds", "potdem_bonds", "newton on off"]),
     # potdem_bonds

@@ -7,6 +7,7 @@ from scipy.integrate import solve_ivp
 from potdem import dumps, scripts
 from potdem.collisions import CONTACT, D1, D2, DENSITY, HERTZ, K, MASSES, REDUCED, duration, overlap_at_rest, setting
 from potdem.pair_laws import Granular, Hertz, ShiftedLJ
+from potdem.text import replaced
 
 # --- Hertz without damping --------------------------------------------------------------------------------
 
@@ -224,7 +225,7 @@ def test_without_rotation_spins_stay(run_lammps, tmp_path, name):
     assert np.array_equal(spin1, spin0)
     assert np.abs(p1 - p0).max() < 1e-12 * sum(MASSES) * 6.0
     assert np.abs(l1 - l0).max() > 1e-3    # 5.18 without rotation does not conserve it
-    run_lammps(script.replace("set atom 1 omega 1.0 -7.0 3.0", "").replace("set atom 2 omega 0.3 2.0 -5.0", ""))
+    run_lammps(replaced(replaced(script, "set atom 1 omega 1.0 -7.0 3.0", ""), "set atom 2 omega 0.3 2.0 -5.0", ""))
     without = dumps.read(tmp_path / "b.dump")[0]
     (tmp_path / "c.dump").write_text(with_spin)
     spinning = dumps.read(tmp_path / "c.dump")[0]
@@ -267,7 +268,7 @@ def on_ground(pair, speed, step, steps, more="", move="nve"):
     law = Hertz(1e7, 0.3)
     weight = MASSES[0] * G
     overlap = (weight / law.prefactor(D1, GROUND)) ** (2 / 3)
-    script = scripts.box((40, 40, 500000)).replace("0.3 bin", "0.1 nsq") + "bond_style none\n"
+    script = replaced(scripts.box((40, 40, 500000)), "0.3 bin", "0.1 nsq") + "bond_style none\n"
     script += scripts.particles([(0, 0, 0.5 * D1 - overlap, D1), (0, 0, -0.5 * GROUND, GROUND)], DENSITY)
     return script + f"""
 pair_style {law.style} {pair}
@@ -337,7 +338,7 @@ compute w all property/atom omegaz
 variable slip equal vy[2]-vy[1]-0.5*(C_w[1]+C_w[2])*(x[2]-x[1])
 """
     script += 4 * ("run 1\n" + scripts.result("v_slip"))
-    slip = scripts.results(run_lammps(script.replace("run 1\n", "run 1 post no\n")).stdout)[:, 0]
+    slip = scripts.results(run_lammps(replaced(script, "run 1\n", "run 1 post no\n")).stdout)[:, 0]
     assert np.all(slip > -1e-3 * 1e-6)
     assert slip[0] < 0.6e-6    # half a kick at the start, as velocity Verlet has it
     assert slip[-1] < 0.01e-6

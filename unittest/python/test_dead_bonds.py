@@ -3,6 +3,7 @@
 import pytest
 
 from potdem import dumps, formulas, scripts
+from potdem.text import replaced
 
 E, A = 1000.0, 0.5
 PAIR_LINES = scripts.elastic(E, f"factor {A}", "", A)
@@ -130,7 +131,7 @@ def path(*places):
 def test_the_contact_begins_where_the_bond_ended(run_lammps, nprocs, newton):
     """also after the two have been out of each other's neighbour lists for some runs and rebuilds"""
     places = (0.8, 0.9, 0.99, 0.8, 1.01, 5.0, 8.0, 5.0, 0.9, 0.8)
-    script = FAILED.replace("atom_style", f"newton {newton} off\natom_style", 1) + path(*places)
+    script = replaced(FAILED, "atom_style", f"newton {newton} off\natom_style", 1) + path(*places)
     found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
     for (energy, push), r in zip(found, places):
         # the pair fails in the step after the one that found it: at 0.85 to the last digit, since it is held
@@ -141,7 +142,7 @@ def test_the_contact_begins_where_the_bond_ended(run_lammps, nprocs, newton):
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_a_pair_that_is_bonded_and_fails_again_begins_anew(run_lammps, nprocs):
     """first at 0.85, then at 0.9, then out of touch: the contact begins where the last bond ended, or at the diameter"""
-    strong = SETTINGS.replace("compression 50", "tension 60 compression 50")
+    strong = replaced(SETTINGS, "compression 50", "tension 60 compression 50")
     script = CLOSE + strong + "set atom 2 x 0.85\nrun 3\n" + path(0.84)
     script += "set atom 2 x 0.97\npotdem_bonds all 1 0.99\nrun 0\nset atom 2 x 0.9\nrun 3\n" + path(0.84)
     script += "set atom 2 x 0.97\npotdem_bonds all 1 0.99\nrun 0\nset atom 2 x 1.06\nrun 3\n" + path(0.84)
@@ -153,7 +154,7 @@ def test_a_pair_that_is_bonded_and_fails_again_begins_anew(run_lammps, nprocs):
 
 
 KEPT = {
-    "restart": "write_restart half.restart\nclear\nread_restart half.restart\n" + SETTINGS.replace("mass 1", ""),
+    "restart": "write_restart half.restart\nclear\nread_restart half.restart\n" + replaced(SETTINGS, "mass 1", ""),
     "pair_style again": "pair_style potdem/truss\npair_coeff * * 1000 0.5\n",
     "bond_style again": "bond_style potdem/truss\nbond_coeff * 1000 area factor 0.5\n",
     "other pages": "neigh_modify one 1000 page 20000\n",
@@ -225,4 +226,4 @@ def test_a_memory_that_is_removed_is_missed(run_lammps):
 def test_no_memory_where_no_bond_can_fail(run_lammps):
     grains = scripts.box(8) + scripts.particles([(0, 0, 0, 1.0), (0.9, 0, 0, 1.0)])
     grains += "bond_style none\npair_style potdem/truss\npair_coeff * * 1000 0.5\n"
-    assert "POTDEM_CONTACTS" not in run_lammps(grains + "run 0\ninfo fixes\n").stdout.replace("POTDEM_CONTACTS_1_PLACE", "")
+    assert "POTDEM_CONTACTS" not in replaced(run_lammps(grains + "run 0\ninfo fixes\n").stdout, "POTDEM_CONTACTS_1_PLACE", "")

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, running, scripts
+from potdem.text import replaced
 
 ROUNDING = 1e-12    # a few operations
 # trajectories of a few hundred steps that differ by the order of sums
@@ -306,7 +307,7 @@ pair_coeff * * 1000 0.4
 {scripts.velocities_by_formula(25)}
 timestep 0.002
 """
-    damage = DAMAGE.replace("tension 2e4", "tension 60 compression 80") + \
+    damage = replaced(DAMAGE, "tension 2e4", "tension 60 compression 80") + \
         f"thermo_modify format float {scripts.ALL_DIGITS}\n"
     before = last_row(run_lammps(script + damage + "run 60\nwrite_restart damaged.restart\n"))
     again = "read_restart damaged.restart\nneighbor 0.3 bin\n" + ("bond_style potdem/truss\n" if style_too else "")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from potdem import scripts
+from potdem.text import replaced
 
 TERMS = ["kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping", "wall work"]
 LEDGER = """
@@ -99,7 +100,7 @@ def test_broken_bonds_keep_the_balance(run_lammps):
 
 
 def test_viscous_bonds(run_lammps):
-    text = body(0.005, 1000).replace("area lattice", "area lattice damping 0.05")
+    text = replaced(body(0.005, 1000), "area lattice", "area lattice damping 0.05")
     total, terms = balance(run_lammps(text))
     assert terms["viscous"][-1] > 0.3 * total[0]
     assert np.abs(total - total[0]).max() < 1e-3 * terms["viscous"][-1]

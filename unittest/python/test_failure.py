@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, scripts
+from potdem.text import replaced
 
 E, A = 1000.0, 0.5
 MODULUS = E * formulas.section(1.0, A)    # A E of two particles of diameter 1
@@ -241,13 +242,13 @@ def swinging(run_lammps, length, swing, nprocs=1):
     """two bonded particles that swing apart and together by `swing` each, across the border of two ranks; the bond
     fails at nine tenths of the way out"""
     strength = stress(length + 1.8 * swing, length)
-    script = pair_script(f"tension {strength:.17g}", length).replace("fix move all nve", f"""
+    script = replaced(replaced(pair_script(f"tension {strength:.17g}", length), "fix move all nve", f"""
 comm_modify cutoff 4.0
 displace_atoms all move {-0.5 * length:.17g} 0 0 units box
 fix move1 one move wiggle {-swing:.17g} NULL NULL 0.1 units box
 fix move2 two move wiggle {swing:.17g} NULL NULL 0.1 units box
 compute fragment all fragment/atom single yes
-compute pieces all reduce max c_fragment""").replace(" bonds\n", " bonds c_pieces\n")
+compute pieces all reduce max c_fragment"""), " bonds\n", " bonds c_pieces\n")
     return run_lammps(script + "run 1000\n", nprocs=nprocs)
 
 
@@ -346,8 +347,7 @@ def idle_warnings(run):
 def two_types(failure, group="all"):
     """a pair bonded with type 2 of three"""
     script = pair_script(failure, speed=(-2.0, 2.0), group=group)
-    return script.replace("bond/types 1", "bond/types 3").replace("potdem_bonds all 1", "potdem_bonds all 2").replace(
-        "potdem/failure 1", "potdem/failure {}")
+    return replaced(replaced(replaced(script, "bond/types 1", "bond/types 3"), "potdem_bonds all 1", "potdem_bonds all 2"), "potdem/failure 1", "potdem/failure {}")
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])
@@ -364,7 +364,7 @@ def test_bonds_that_no_fix_is_for_are_named_once_in_each_run(run_lammps, nprocs,
 
 def test_no_bonds_at_all(run_lammps):
     script = re.sub(r"^potdem_bonds.*$", "", pair_script("tension 80"), flags=re.MULTILINE)
-    script = script.replace("newton", "newton on off\nnewton", 1) if "newton" in script else "newton on off\n" + script
+    script = replaced(script, "newton", "newton on off\nnewton", 1) if "newton" in script else "newton on off\n" + script
     script += "special_bonds lj 0 1 1 coul 0 1 1\nrun 2\n"
     (text,) = idle_warnings(run_lammps(script))
     assert "there are no bonds at all" in text and "potdem_bonds" in text

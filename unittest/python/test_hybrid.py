@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, scripts
+from potdem.text import replaced
 
 E, A = 500.0, 0.6
 CLUSTER = [(0, 0, 0, 1.0, 1), (0.9, 0.1, 0, 1.2, 2), (0.2, 0.95, 0.1, 1.0, 1),
@@ -49,11 +50,11 @@ def test_same_as_alone(run_lammps, tmp_path, style, more, bonds):
 
 def test_a_pair_of_types_left_to_another_style(run_lammps, tmp_path):
     """hybrid with `zero` for 2-2: what is missing is the force between particles 2 and 4"""
-    script = scene("hybrid potdem/truss zero 2.0", "potdem/truss ").replace("run 100", "run 0")
-    script = script.replace(f"pair_coeff 2 2 potdem/truss {COEFFS[2][1]}", "pair_coeff 2 2 zero")
+    script = replaced(scene("hybrid potdem/truss zero 2.0", "potdem/truss "), "run 100", "run 0")
+    script = replaced(script, f"pair_coeff 2 2 potdem/truss {COEFFS[2][1]}", "pair_coeff 2 2 zero")
     assert "pair_coeff 2 2 zero" in script
     without, _ = end(run_lammps, tmp_path, script)
-    full, _ = end(run_lammps, tmp_path, scene("potdem/truss", "").replace("run 100", "run 0"))
+    full, _ = end(run_lammps, tmp_path, replaced(scene("potdem/truss", ""), "run 100", "run 0"))
     difference = full[:, 6:] - without[:, 6:]
     x2, x4 = (np.array(CLUSTER[k][:3]) for k in (1, 3))
     r = np.linalg.norm(x4 - x2)
@@ -70,10 +71,10 @@ def test_single_in_hybrid(run_lammps, tmp_path):
     """LAMMPS's own pair_style hybrid up to 2025 crashes on columns of a sub-style: it is not offered them"""
     sums = "compute c all pair/local {}\ncompute s all reduce sum c_c inputs local\nthermo_style custom step c_s\n"
     sums += "thermo_modify format float %.17g\nrun 0\n"
-    energies = [run_lammps(scene(style, prefix).replace("run 100", sums.format("eng"))).thermo["c_s"][-1]
+    energies = [run_lammps(replaced(scene(style, prefix), "run 100", sums.format("eng"))).thermo["c_s"][-1]
                 for style, prefix in (("potdem/truss", ""), ("hybrid potdem/truss", "potdem/truss "))]
     assert energies[1] == pytest.approx(energies[0], rel=1e-12) and energies[0] > 0.0
-    run_lammps(scene("hybrid/overlay potdem/truss", "potdem/truss ").replace("run 100", sums.format("p1")))
+    run_lammps(replaced(scene("hybrid/overlay potdem/truss", "potdem/truss "), "run 100", sums.format("p1")))
 
 
 def test_hybrid_in_parallel(run_lammps, tmp_path):
@@ -87,7 +88,7 @@ def test_hybrid_restart(run_lammps, tmp_path):
     """LAMMPS's hybrid styles want their pair_coeff again after a restart; the bonds and the rest come back"""
     script = scene("hybrid/overlay potdem/truss zero 2.0", "potdem/truss ", "pair_coeff * * zero\n", bonds=True)
     coeffs = "".join(line + "\n" for line in script.splitlines() if line.startswith("pair_coeff"))
-    whole, _ = end(run_lammps, tmp_path, script.replace("run 100", "run 50\nwrite_restart half.restart\nrun 50"))
+    whole, _ = end(run_lammps, tmp_path, replaced(script, "run 100", "run 50\nwrite_restart half.restart\nrun 50"))
     settings = "fix move all nve\ntimestep 0.0005\nrun 50\n"
     again, _ = end(run_lammps, tmp_path, "read_restart half.restart\n" + coeffs + settings +
                    scripts.write_dump("end.dump", "x y z vx vy vz fx fy fz"))

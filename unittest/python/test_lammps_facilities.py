@@ -11,6 +11,7 @@ from scipy.optimize import minimize, root
 
 from potdem import dumps, formulas, scripts
 from potdem.pair_laws import Hertz
+from potdem.text import replaced
 
 # --- minimisers -------------------------------------------------------------------------------------------
 # Each result is the minimum of the same energy written in Python, from the same start, found by scipy.
@@ -233,7 +234,7 @@ def test_stress_of_pairs_bonds_and_walls(run_lammps, tmp_path, nprocs):
     """compute stress/atom by kind and particle, compute pressure their sum. Friction makes the tensor of a wall
     unsymmetric; as LAMMPS does for the sum over particles, of xy the half f_x y is taken"""
     script = scripts.box(12) + scripts.particles(ROWS) + scripts.elastic(E, f"factor {A}", "")
-    script = script.replace("pair_style potdem/truss\npair_coeff * * 1000 0.5", f"pair_style potdem/hertz\n"
+    script = replaced(script, "pair_style potdem/truss\npair_coeff * * 1000 0.5", f"pair_style potdem/hertz\n"
                             f"pair_coeff * * {GRAIN.coeff}")
     assert "hertz" in script
     for (i, j), rest in REST.items():

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from potdem import scripts
+from potdem.text import replaced
 
 INFO = "run 0\ninfo communication\ninfo fixes\n"
 
@@ -75,5 +76,5 @@ compute strain all potdem/strain/atom
 run 10
 """
     run_lammps(script)
-    run_lammps(script.replace("run 10", "dump d all custom 5 strain.dump id c_strain[1]\nrun 10"),
+    run_lammps(replaced(script, "run 10", "dump d all custom 5 strain.dump id c_strain[1]\nrun 10"),
                expect_error="potdem/strain/atom")

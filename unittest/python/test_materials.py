@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, scripts
+from potdem.text import replaced
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BUNDLED = sorted((ROOT / "potentials").glob("*.potdem"))
@@ -478,18 +479,18 @@ GOOD = b"# DATE: 2026-01-31 UNITS: si\n\nmaterial soft   # a comment\nE 500\nnu 
 
 # the same file, written otherwise: E is 500 and nu 0.22 all the same
 SAME = {
-    "Windows line ends": GOOD.replace(b"\n", b"\r\n"),
+    "Windows line ends": replaced(GOOD, b"\n", b"\r\n"),
     "byte-order mark": b"\xef\xbb\xbf" + GOOD,
-    "both": b"\xef\xbb\xbf" + GOOD.replace(b"\n", b"\r\n"),
+    "both": b"\xef\xbb\xbf" + replaced(GOOD, b"\n", b"\r\n"),
     "empty line first": b"\n" + GOOD,
-    "quotes in comments": GOOD.replace(b"a comment", b"the thesis's \"soft\" one").replace(b"UNITS: si", b"UNITS: si COMMENT: don't"),
-    "comment of another encoding": GOOD.replace(b"a comment", b"b\xe9ton \xff\x01"),
-    "first line of another encoding": GOOD.replace(b"UNITS: si", b"UNITS: si CITATION: M\xfcller"),
-    "date of another encoding": GOOD.replace(b"DATE: 2026-01-31", b"DATE: 3.\xe4"),
-    "comment in UTF-8": GOOD.replace(b"a comment", "Beton, ν = 0,22 – „weich“".encode()),
-    "long comment": GOOD.replace(b"a comment", 20000 * b"long "),
-    "long first line": GOOD.replace(b"UNITS: si", 5000 * b"CITATION: " + b"UNITS: si"),
-    "many blanks": GOOD.replace(b"E 500", 3000 * b" " + b"E" + 3000 * b"\t" + b"500" + 3000 * b" "),
+    "quotes in comments": replaced(replaced(GOOD, b"a comment", b"the thesis's \"soft\" one"), b"UNITS: si", b"UNITS: si COMMENT: don't"),
+    "comment of another encoding": replaced(GOOD, b"a comment", b"b\xe9ton \xff\x01"),
+    "first line of another encoding": replaced(GOOD, b"UNITS: si", b"UNITS: si CITATION: M\xfcller"),
+    "date of another encoding": replaced(GOOD, b"DATE: 2026-01-31", b"DATE: 3.\xe4"),
+    "comment in UTF-8": replaced(GOOD, b"a comment", "Beton, ν = 0,22 – „weich“".encode()),
+    "long comment": replaced(GOOD, b"a comment", 20000 * b"long "),
+    "long first line": replaced(GOOD, b"UNITS: si", 5000 * b"CITATION: " + b"UNITS: si"),
+    "many blanks": replaced(GOOD, b"E 500", 3000 * b" " + b"E" + 3000 * b"\t" + b"500" + 3000 * b" "),
     "many comments": GOOD + 10000 * b"# more\n",
 }
 
@@ -509,34 +510,34 @@ def test_text_that_is_read_as_what_it_means(run_lammps, tmp_path, name, nprocs):
 
 CUT = ["odd.potdem seems to be cut off in line {}", "end its last line with a newline"]
 ODD = {
-    "quoted name": (GOOD.replace(b"material soft", b"material 'soft'"), ["odd.potdem, line 3", "a quote", "without quotes"]),
-    "open quote": (GOOD.replace(b"E 500", b"E \"500"), ["odd.potdem, line 4", "a quote"]),
-    "apostrophe": (GOOD.replace(b"nu 0.22", b"young's 1"), ["odd.potdem, line 5", "a quote"]),
+    "quoted name": (replaced(GOOD, b"material soft", b"material 'soft'"), ["odd.potdem, line 3", "a quote", "without quotes"]),
+    "open quote": (replaced(GOOD, b"E 500", b"E \"500"), ["odd.potdem, line 4", "a quote"]),
+    "apostrophe": (replaced(GOOD, b"nu 0.22", b"young's 1"), ["odd.potdem, line 5", "a quote"]),
     "cut in a number": (GOOD[:-3], [CUT[0].format(5), CUT[1]]),
     "cut after a number": (GOOD[:-1], [CUT[0].format(5), CUT[1]]),
     "cut in a comment": (GOOD[:40], [CUT[0].format(3), CUT[1]]),
-    "cut in Windows text": (GOOD.replace(b"\n", b"\r\n")[:-1], [CUT[0].format(5), CUT[1]]),
+    "cut in Windows text": (replaced(GOOD, b"\n", b"\r\n")[:-1], [CUT[0].format(5), CUT[1]]),
     "no bytes at all": (b"", ["odd.potdem does not say its units"]),
     "UTF-16": (b"\xff\xfe" + GOOD.decode().encode("utf-16-le"), ["odd.potdem has bytes of zero", "UTF-16", "save it as plain text"]),
-    "a zero byte": (GOOD.replace(b"500", b"5\x000"), ["odd.potdem has bytes of zero"]),
-    "a zero byte in a comment": (GOOD.replace(b"a comment", b"a\x00comment"), ["odd.potdem has bytes of zero"]),
-    "old Macintosh line ends": (GOOD.replace(b"\n", b"\r"), ["odd.potdem seems to be cut off in line 1"]),
-    "one lost line feed": (GOOD.replace(b"500\nnu", b"500\rnu"), ["odd.potdem, line 4", "a carriage return", "as on Unix or Windows"]),
-    "name of another encoding": (GOOD.replace(b"soft ", b"b\xe9ton "), ["odd.potdem, line 3", "0xe9", "not printable ASCII"]),
-    "no-break space": (GOOD.replace(b"E 500", "E\u00a0500".encode()), ["odd.potdem, line 4", "0xc2", "special blank"]),
-    "minus sign": (GOOD.replace(b"nu 0.22", "nu −0.1".encode()), ["odd.potdem, line 5", "0xe2", "sign"]),
+    "a zero byte": (replaced(GOOD, b"500", b"5\x000"), ["odd.potdem has bytes of zero"]),
+    "a zero byte in a comment": (replaced(GOOD, b"a comment", b"a\x00comment"), ["odd.potdem has bytes of zero"]),
+    "old Macintosh line ends": (replaced(GOOD, b"\n", b"\r"), ["odd.potdem seems to be cut off in line 1"]),
+    "one lost line feed": (replaced(GOOD, b"500\nnu", b"500\rnu"), ["odd.potdem, line 4", "a carriage return", "as on Unix or Windows"]),
+    "name of another encoding": (replaced(GOOD, b"soft ", b"b\xe9ton "), ["odd.potdem, line 3", "0xe9", "not printable ASCII"]),
+    "no-break space": (replaced(GOOD, b"E 500", "E\u00a0500".encode()), ["odd.potdem, line 4", "0xc2", "special blank"]),
+    "minus sign": (replaced(GOOD, b"nu 0.22", "nu −0.1".encode()), ["odd.potdem, line 5", "0xe2", "sign"]),
     "mark in the middle": (GOOD + b"\xef\xbb\xbf" + GOOD, ["odd.potdem, line 6", "0xef"]),
-    "control character": (GOOD.replace(b"E 500", b"E \x1b500"), ["odd.potdem, line 4", "0x1b"]),
-    "escape": (GOOD.replace(b"E 500", b"E\\ 500"), ["odd.potdem, line 4", "unknown keyword 'E\\'"]),
-    "long word": (GOOD.replace(b"500", 100000 * b"5"), ["material 'soft' in odd.potdem, line 4", "too long"]),
-    "long line": (GOOD.replace(b"500", 100000 * b"5 "), ["material 'soft' in odd.potdem, line 4", "too long"]),
-    "units of 100000 letters": (GOOD.replace(b"UNITS: si", b"UNITS: " + 100000 * b"s"), ["odd.potdem does not say its units"]),
+    "control character": (replaced(GOOD, b"E 500", b"E \x1b500"), ["odd.potdem, line 4", "0x1b"]),
+    "escape": (replaced(GOOD, b"E 500", b"E\\ 500"), ["odd.potdem, line 4", "unknown keyword 'E\\'"]),
+    "long word": (replaced(GOOD, b"500", 100000 * b"5"), ["material 'soft' in odd.potdem, line 4", "too long"]),
+    "long line": (replaced(GOOD, b"500", 100000 * b"5 "), ["material 'soft' in odd.potdem, line 4", "too long"]),
+    "units of 100000 letters": (replaced(GOOD, b"UNITS: si", b"UNITS: " + 100000 * b"s"), ["odd.potdem does not say its units"]),
     "too large": (GOOD + 100000 * b"# more more\n", ["odd.potdem has more than 1000000 bytes"]),
-    "beyond double precision": (GOOD.replace(b"500", b"1e400"), ["material 'soft' in odd.potdem, line 4", "E = 1e400", "too large or too small"]),
-    "below double precision": (GOOD.replace(b"500", b"1e-400"), ["material 'soft' in odd.potdem, line 4", "E = 1e-400", "too large or too small"]),
-    "denormal": (GOOD.replace(b"500", b"1e-310"), ["material 'soft' in odd.potdem, line 4", "E = 1e-310"]),
-    "decimal comma": (GOOD.replace(b"0.22", b"0,22"), ["material 'soft' in odd.potdem, line 5", "nu must be a number, not '0,22'"]),
-    "Fortran exponent": (GOOD.replace(b"500", b"5d2"), ["material 'soft' in odd.potdem, line 4", "E must be a number, not '5d2'"]),
+    "beyond double precision": (replaced(GOOD, b"500", b"1e400"), ["material 'soft' in odd.potdem, line 4", "E = 1e400", "too large or too small"]),
+    "below double precision": (replaced(GOOD, b"500", b"1e-400"), ["material 'soft' in odd.potdem, line 4", "E = 1e-400", "too large or too small"]),
+    "denormal": (replaced(GOOD, b"500", b"1e-310"), ["material 'soft' in odd.potdem, line 4", "E = 1e-310"]),
+    "decimal comma": (replaced(GOOD, b"0.22", b"0,22"), ["material 'soft' in odd.potdem, line 5", "nu must be a number, not '0,22'"]),
+    "Fortran exponent": (replaced(GOOD, b"500", b"5d2"), ["material 'soft' in odd.potdem, line 4", "E must be a number, not '5d2'"]),
 }
 
 

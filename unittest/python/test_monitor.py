@@ -5,6 +5,7 @@ import re
 import pytest
 
 from potdem import formulas, scripts
+from potdem.text import replaced
 
 NAMES = {
     "critical": "is longer than the critical step",
@@ -54,17 +55,17 @@ def test_particles_that_are_held_set_no_step(run_lammps):
     script = chain("group ends id 1 3\nset group ends mass 1e-6", 0.5 * BOUND)
     assert "critical" in kinds(run_lammps(script))
     # two bonds and no partner that moves: omega^2 = 2 k / m over the middle one's share in the bound
-    held = script.replace("fix move all nve", "group middle id 2\nfix move middle nve")
-    assert kinds(run_lammps(held.replace("mass 1e-6", "mass 1"))) == []
+    held = replaced(script, "fix move all nve", "group middle id 2\nfix move middle nve")
+    assert kinds(run_lammps(replaced(held, "mass 1e-6", "mass 1"))) == []
 
 
 def test_nothing_is_said_of_a_run_of_no_steps_or_a_minimization(run_lammps):
-    script = chain("", 10 * BOUND).replace("run 10", "run 0\nminimize 0 1e-6 5 5")
+    script = replaced(chain("", 10 * BOUND), "run 10", "run 0\nminimize 0 1e-6 5 5")
     assert kinds(run_lammps(script)) == []
 
 
 def test_once_in_each_run(run_lammps):
-    run = run_lammps(chain("", 1.1 * BOUND, 3000).replace("run 3000", "run 2\nrun 2"))
+    run = run_lammps(replaced(chain("", 1.1 * BOUND, 3000), "run 3000", "run 2\nrun 2"))
     assert kinds(run) == ["bond", "bond", "critical", "critical"]
 
 
@@ -106,13 +107,12 @@ def test_a_contact_too_stiff_for_the_step(run_lammps, steps, expected):
 def test_only_with_what_moves(run_lammps):
     """a wall of held particles: the other mass does not count"""
     script = collision("truss", "1000 0.5", 0.1, HALF_PERIOD / 5.5)
-    assert kinds(run_lammps(script.replace("fix move all nve", "group one id 2\nfix move one nve"))) == []
+    assert kinds(run_lammps(replaced(script, "fix move all nve", "group one id 2\nfix move one nve"))) == []
 
 
 def test_a_step_that_grows(run_lammps):
     """fix dt/reset changes the step during the run"""
-    script = collision("truss", "1000 0.5", 0.5, HALF_PERIOD / 500, 2000, gap=0.2).replace(
-        "run 2000", f"fix longer all dt/reset 1 NULL {HALF_PERIOD / 4:.17g} 0.01\nrun 2000")
+    script = replaced(collision("truss", "1000 0.5", 0.5, HALF_PERIOD / 500, 2000, gap=0.2), "run 2000", f"fix longer all dt/reset 1 NULL {HALF_PERIOD / 4:.17g} 0.01\nrun 2000")
     assert kinds(run_lammps(script)) == ["contact"]
 
 
@@ -162,17 +162,17 @@ def test_a_bond_too_stiff_for_the_step(run_lammps, steps, expected):
 @pytest.mark.parametrize("options, expected", [("", ["crushed"]), ("penetration 6", ["crushed bond"])])
 def test_crushed_bonds(run_lammps, options, expected):
     """without the factor nothing holds it any more; with it the bond is much stiffer than at rest"""
-    script = chain("run 0\nset atom 2 x 0.1\n", 0.01, count=2).replace("area factor 0.5", f"area factor 0.5 {options}")
+    script = replaced(chain("run 0\nset atom 2 x 0.1\n", 0.01, count=2), "area factor 0.5", f"area factor 0.5 {options}")
     assert kinds(run_lammps(script)) == expected
-    assert kinds(run_lammps(script.replace("x 0.1", "x 0.5").replace("timestep 0.01", "timestep 0.001"))) == []
+    assert kinds(run_lammps(replaced(replaced(script, "x 0.1", "x 0.5"), "timestep 0.01", "timestep 0.001"))) == []
 
 
 # --- ranks, threads, switching off ------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("place", [-8.0, 8.0])
 def test_the_log_has_what_another_rank_has_seen(run_lammps, place):
-    script = collision("truss", "1000 0.5", 0.1, HALF_PERIOD / 5.5).replace("pair_style", f"displace_atoms all move {place} 0 0 units box\npair_style")
-    run = run_lammps(script.replace("boundary f f f", "boundary f f f\nprocessors 2 1 1"), nprocs=2)
+    script = replaced(collision("truss", "1000 0.5", 0.1, HALF_PERIOD / 5.5), "pair_style", f"displace_atoms all move {place} 0 0 units box\npair_style")
+    run = run_lammps(replaced(script, "boundary f f f", "boundary f f f\nprocessors 2 1 1"), nprocs=2)
     assert kinds(run) == ["contact"]
 
 
@@ -196,14 +196,14 @@ def test_a_bounded_law_survives_what_the_law_itself_does_not(run_lammps, law, co
     script = collision(law, coeff, 0.0, 1e-5, 10, gap=-0.3)
     run_lammps(script, expect_error="not beyond the smallest distance")
     ends = {"lj": "linear 0.1", "granular": "linear 0.5"}[law]
-    assert kinds(run_lammps(script.replace(coeff, f"{coeff} {ends}"))) == []
+    assert kinds(run_lammps(replaced(script, coeff, f"{coeff} {ends}"))) == []
 
 
 def test_a_bounded_law_at_a_wall(run_lammps):
     wall = "law granular 10 4 0.2"
-    script = on_wall(1e-4, 0.0, wall, 5).replace("0.52", "0.38")    # r0 = 0.4
+    script = replaced(on_wall(1e-4, 0.0, wall, 5), "0.52", "0.38")    # r0 = 0.4
     run_lammps(script, expect_error="not beyond the smallest distance 0.4")
-    assert kinds(run_lammps(script.replace(wall, f"{wall} linear 0.5"))) == []
+    assert kinds(run_lammps(replaced(script, wall, f"{wall} linear 0.5"))) == []
 
 
 def force_of(run_lammps, law, first, second, explicit=""):
@@ -238,13 +238,13 @@ SPECIAL = "special_bonds lj 0 1 1 coul 0 1 1\n"
 def test_a_skin_larger_than_half_the_smallest_diameter(run_lammps, skin, expected):
     """with the line that helps; the smallest of two diameters, 1 and 3, counts"""
     script = scripts.box(40, newton="on off") + SPECIAL + scripts.particles([(0, 0, 0, 1.0), (9, 0, 0, 3.0)]) + scripts.elastic()
-    script = script.replace("neighbor 0.3 bin", f"neighbor {skin} bin") + "fix move all nve\ntimestep 1e-6\nrun 1\n"
+    script = replaced(script, "neighbor 0.3 bin", f"neighbor {skin} bin") + "fix move all nve\ntimestep 1e-6\nrun 1\n"
     run = run_lammps(script)
     assert kinds(run) == expected
     if expected:
         helps = re.search(r"'(neighbor .*)'", warnings(run)[0]).group(1)
-        assert kinds(run_lammps(script.replace(f"neighbor {skin} bin", helps))) == []
-    assert kinds(run_lammps(script.replace("run 1", "run 0"))) == []
+        assert kinds(run_lammps(replaced(script, f"neighbor {skin} bin", helps))) == []
+    assert kinds(run_lammps(replaced(script, "run 1", "run 0"))) == []
 
 
 @pytest.mark.parametrize("least, expected", [(0.2, []), (0.19, ["minimiser"])])
@@ -256,7 +256,7 @@ def test_a_step_of_a_minimiser_longer_than_a_radius(run_lammps, least, expected)
     assert kinds(run) == expected
     if expected:
         helps = re.search(r"'(min_modify .*)'", warnings(run)[0]).group(1)
-        assert kinds(run_lammps(script.replace("minimize", f"{helps}\nminimize"))) == []
+        assert kinds(run_lammps(replaced(script, "minimize", f"{helps}\nminimize"))) == []
 
 
 BLOCK = scripts.box(12, newton="on off") + SPECIAL + scripts.particles([(k, 0, 0, 1.0) for k in range(3)] + [(4, 0, 0, 1.0)])
@@ -267,7 +267,7 @@ BLOCK = scripts.box(12, newton="on off") + SPECIAL + scripts.particles([(k, 0, 0
 @pytest.mark.parametrize("friction", ["", "friction 0.5 auto"])
 def test_bonded_particles_that_spin(run_lammps, bonded, rotation, friction):
     """a body rolls away on particles that spin: by pairs and by walls, with friction, and only where there is a body"""
-    script = BLOCK + scripts.elastic(pair_options=friction).replace("potdem/truss\npair", f"potdem/truss rotation {rotation}\npair")
+    script = BLOCK + replaced(scripts.elastic(pair_options=friction), "potdem/truss\npair", f"potdem/truss rotation {rotation}\npair")
     script += "potdem_bonds all 1 1.1\n" if bonded else ""
     script += f"region floor plane 0 0 -1 0 0 1\nfix move all nve\nfix wall all potdem/wall/region floor 5 0.3 particle 5 0.3 "
     script += f"{friction} rotation {rotation}\ntimestep 1e-6\nrun 1\n"

@@ -8,6 +8,7 @@ import pytest
 
 from potdem import dumps, scripts
 from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss, by_sum
+from potdem.text import replaced
 
 ONE = {
     "lj": ShiftedLJ(300.0, 0.2, 3.0, 0.2),
@@ -303,7 +304,7 @@ def test_restart(run_lammps, tmp_path, name):
     trajectory to the last bit but for the order of sums"""
     viscous = " viscous 0.01" if name == "hertz" else ""
     pair = coefficients(name, (viscous + " friction 0.3 auto", viscous + " friction 0.1 0.5"))
-    pair = pair.replace(ONE[name].style, ONE[name].style + " rotation yes\npair_modify shift yes", 1)
+    pair = replaced(pair, ONE[name].style, ONE[name].style + " rotation yes\npair_modify shift yes", 1)
     script = scene(cloud(), pair) + scripts.velocities_by_formula(0.5) + MOVE
     run = run_lammps(script + "run 50\nwrite_restart half.restart\nrun 50\n" + END)
     expected = end(tmp_path)
@@ -319,7 +320,7 @@ def test_ranks_and_newton(run_lammps, tmp_path, name):
     """friction, rotation, viscosity: the same trajectory, 1e-10 for the rounding grown over 100 steps"""
     viscous = " viscous 0.01" if name == "hertz" else ""
     pair = coefficients(name, (viscous + " friction 0.3 0.4", viscous + " friction 0.1 0.5"))
-    pair = pair.replace(ONE[name].style, ONE[name].style + " rotation yes", 1)
+    pair = replaced(pair, ONE[name].style, ONE[name].style + " rotation yes", 1)
     more = scripts.velocities_by_formula(0.5) + MOVE + "run 100\n" + END
     run_lammps(scene(cloud(), pair) + more)
     one = end(tmp_path)
@@ -368,11 +369,11 @@ def test_polydisperse_with_neighbor_multi(run_lammps, tmp_path, name, collection
         laws = {(1, 1): [ONE[name]], (2, 2): [OTHER[name]], (1, 2): [Hertz(1000.0, 0.2)]}
     pair = f"pair_style {laws[1, 1][0].style}\n"
     pair += "".join(f"pair_coeff {i} {j} {law.coeff}\n" for (i, j), (law,) in laws.items())
-    move = scripts.velocities_by_formula(0.3) + MOVE.replace("1e-3", "2e-4") + "run 100\n" + END
-    run_lammps(scene(rows, pair).replace("neighbor 0.3 bin", "neighbor 0.05 bin") + FORCES + move)
+    move = scripts.velocities_by_formula(0.3) + replaced(MOVE, "1e-3", "2e-4") + "run 100\n" + END
+    run_lammps(replaced(scene(rows, pair), "neighbor 0.3 bin", "neighbor 0.05 bin") + FORCES + move)
     expected, trajectory = by_sum(rows, lambda i, j: laws[i, j])[1], end(tmp_path)
     assert np.abs(forces(tmp_path) - expected).max() < 1e-11 * np.abs(expected).max()
-    multi = scene(rows, pair).replace("neighbor 0.3 bin", "neighbor 0.05 multi\ncomm_modify mode multi\n" + collections)
+    multi = replaced(scene(rows, pair), "neighbor 0.3 bin", "neighbor 0.05 multi\ncomm_modify mode multi\n" + collections)
     for nprocs in (1, 4):
         run_lammps(multi + FORCES + move, nprocs=nprocs)
         assert np.abs(forces(tmp_path) - expected).max() < 1e-11 * np.abs(expected).max()

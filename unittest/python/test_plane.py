@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, scripts
+from potdem.text import replaced
 
 DENSITY = 2.0
 
@@ -41,7 +42,7 @@ def test_plate_of_triangles(run_lammps, stretch):
     """a plate of a triangular lattice with nearest neighbours is isotropic: plane stress with nu = 1/3; a of its thickness"""
     ex, ey = stretch
     lengths = 8.0, 4 * math.sqrt(3.0)
-    script = plane(1.0, "p p p").replace("block -0.5 0.5 -0.5 0.5", f"block 0 {lengths[0]} 0 {lengths[1]:.17g}")
+    script = replaced(plane(1.0, "p p p"), "block -0.5 0.5 -0.5 0.5", f"block 0 {lengths[0]} 0 {lengths[1]:.17g}")
     run = run_lammps(script + f"""
 lattice hex 1.0 origin 0.25 0.25 0
 create_atoms 1 box
@@ -177,6 +178,6 @@ def test_faces_in_the_plane_are_no_walls(run_lammps):
 def test_refused(run_lammps):
     """with a reason, each"""
     slanted = rolling("disc", 0.3, 0, 1, 0, "plane 0 0 0 0 1 0.2")
-    solid = plane().replace("dimension 2\n", "")
+    solid = replaced(plane(), "dimension 2\n", "")
     for script, words in ((slanted, "not normal to the plane"), (solid + "compute e all potdem/energy disc\n", "disc is for two dimensions")):
         assert words in run_lammps(script, expect_error="").error

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, logs, running
+from potdem.text import replaced
 
 GLOBAL, ATOM, LOCAL = 0, 1, 2            # LMP_STYLE_...
 SCALAR, VECTOR, ARRAY = 0, 1, 2          # LMP_TYPE_...
@@ -186,7 +187,7 @@ def test_what_a_style_does_not_have_is_nothing(run):
 
 
 def test_no_failures_are_no_rows(build, tmp_path):
-    quiet = SCRIPT.replace("tension 1e5 compression 4e5", "tension 1e9").replace(f"run             {STEPS}", "run 20")
+    quiet = replaced(replaced(SCRIPT, "tension 1e5 compression 4e5", "tension 1e9"), f"run             {STEPS}", "run 20")
     quiet = re.sub(r"^dump.*\n", "", quiet, flags=re.MULTILINE)
     found = read(build, tmp_path, quiet, [("cracks", "numpy.extract_fix", ["cracks", LOCAL, ARRAY]),
                                           ("f_cracks", "extract_fix", ["cracks", GLOBAL, SCALAR])])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, scripts
+from potdem.text import replaced
 
 # Both runs start from the same positions to the last bit, the atoms are sorted differently: rounding of sums
 # 1e-16, growing over some hundred steps of vibration and contact
@@ -90,9 +91,9 @@ velocity two set -1.5 0 0
 def test_contact_distance_survives(run_lammps, tmp_path, nprocs):
     """a pair that failed while it overlapped touches again at the distance of failure, not at its diameter,
     after the restart as before"""
-    settings = commands("compression 60").replace("timestep 0.01", "timestep 1e-4").replace("thermo 50", "thermo 5")
+    settings = replaced(replaced(commands("compression 60"), "timestep 0.01", "timestep 1e-4"), "thermo 50", "thermo 5")
     settings += "variable r equal x[2]-x[1]\nvariable f equal fx[2]\n"
-    settings = settings.replace("bonds pxx", "bonds evdwl")
+    settings = replaced(settings, "bonds pxx", "bonds evdwl")
     run = compare(run_lammps, tmp_path, overlapped_pair(), settings, 420, 800, again_on=(nprocs,))
     step, broken, contact = run.thermo["Step"], run.thermo["f_failure"], run.thermo["E_vdwl"]
     assert broken[step == 420][0] == 1
@@ -101,7 +102,7 @@ def test_contact_distance_survives(run_lammps, tmp_path, nprocs):
 
 def test_failed_overlapping_pair_is_force_free_after_a_restart(run_lammps, tmp_path):
     """between the distance of failure and the mean diameter there is no force: without the memory there would be"""
-    settings = commands("compression 60").replace("timestep 0.01", "timestep 1e-4")
+    settings = replaced(commands("compression 60"), "timestep 0.01", "timestep 1e-4")
     script = overlapped_pair() + settings + "run 500\nwrite_restart half.restart\n"
     script += scripts.result("x[2]-x[1]", "fx[2]", "f_failure")
     distance, force, broken = scripts.results(run_lammps(script).stdout)[0]

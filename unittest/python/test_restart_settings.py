@@ -3,6 +3,7 @@
 import pytest
 
 from potdem import scripts
+from potdem.text import replaced
 
 MATERIAL = "1000 0.3 viscous 1.0 friction 0.3 1.0"
 
@@ -64,7 +65,7 @@ def changed(run_lammps, tmp_path, change, **how):
 
 def blank(text):
     """without a keyword, as a file from before it"""
-    return lambda data: data.replace(text, b" " * len(text))
+    return lambda data: replaced(data, text, b" " * len(text))
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])
@@ -75,18 +76,18 @@ def test_a_file_from_before_a_keyword_reads(run_lammps, tmp_path, text, nprocs):
 
 
 def test_a_file_that_knows_more_is_refused_by_name(run_lammps, tmp_path):
-    message = changed(run_lammps, tmp_path, lambda data: data.replace(b" damping ", b" dumping "), expect_error="").error
+    message = changed(run_lammps, tmp_path, lambda data: replaced(data, b" damping ", b" dumping "), expect_error="").error
     assert "bond_style potdem/truss" in message and "restart file" in message and "'dumping'" in message
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_a_file_of_an_older_form(run_lammps, tmp_path, nprocs):
-    message = changed(run_lammps, tmp_path, lambda data: data.replace(MARK, b"\0" * 4), expect_error="", nprocs=nprocs).error
+    message = changed(run_lammps, tmp_path, lambda data: replaced(data, MARK, b"\0" * 4), expect_error="", nprocs=nprocs).error
     assert "pair_style potdem/hertz" in message and "as text" in message
 
 
 def test_a_file_of_a_newer_form(run_lammps, tmp_path):
-    message = changed(run_lammps, tmp_path, lambda data: data.replace(MARK + b"\1", MARK + b"\7"), expect_error="").error
+    message = changed(run_lammps, tmp_path, lambda data: replaced(data, MARK + b"\1", MARK + b"\7"), expect_error="").error
     assert "newer version of POTDEM (form 7, this one reads up to 1)" in message
 
 

@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, scripts
+from potdem.text import replaced
 
 # Positions come back to the last bit, but for a shift by the periodic box: 1e-16 of ten diameters, in overlaps and
 # stretches of 1e-2 diameters 1e-13 of a force; sums of some tens of forces in another order add as much. A missed
@@ -289,7 +290,7 @@ def bonded_anew(run, first, last):
 
 
 CORNER = block(size=(4, 4, 4), shift=2)
-TWO_BODIES = block(size=(3, 3, 6)).replace("potdem_bonds all 1 1.42", """region high block 0 3 0 3 3 6 units box
+TWO_BODIES = replaced(block(size=(3, 3, 6)), "potdem_bonds all 1 1.42", """region high block 0 3 0 3 3 6 units box
 group high region high
 group low subtract all high
 set group low mol 1
@@ -320,7 +321,7 @@ EVENTS = {
     "fix adapt of diameters of particles at rest": grown("potdem/hertz", "velocity all set 0 0 0\n" + REST, 0.05),
     "fix adapt of diameters now and then": grown("potdem/hertz", period=7),
     "fix adapt of diameters of a bonded body": Event(
-        torn(0.7, skin=0.05).replace("bpm/sphere", "bpm/sphere 1"), BREAKING,
+        replaced(torn(0.7, skin=0.05), "bpm/sphere", "bpm/sphere 1"), BREAKING,
         "variable d equal 0.7+0.01*step\nfix grow all adapt 1 atom diameter v_d\nrun 30\n",
         every(more("c_radii"), at_the_last_step("f_fail"), more("E_vdwl"))),
     "set diameters between runs": Event(packed(0.8), MOVE, "run 5\nset group all diameter 1.2\nrun 5\n",
@@ -368,7 +369,7 @@ EVENTS = {
                                      every(at_the_last_step("f_fail"), more("E_vdwl"))),
     "bonds fail that do not overlap": Event(torn(0.7), BREAKING, "run 30\n", at_the_last_step("f_fail")),
     "bonds fail within reach of lj": Event(
-        torn(0.7).replace("potdem/truss\npair_coeff * * 1000 0.5", "potdem/lj\npair_coeff * * 300 0.5 3 0.2"), BREAKING,
+        replaced(torn(0.7), "potdem/truss\npair_coeff * * 1000 0.5", "potdem/lj\npair_coeff * * 300 0.5 3 0.2"), BREAKING,
         "run 30\n", every(at_the_last_step("f_fail"), changed("E_vdwl"))),
     "bonds fail that overlap, sorted at every rebuild": Event(
         "atom_modify sort 1 1.5\n".join(["", torn(1.2, skin=0.05)]), BREAKING, "run 30\n",

@@ -9,6 +9,7 @@ from scipy.linalg import eigh
 from potdem import dumps, formulas, lattices, scripts
 from potdem.lattices import CRITICAL_STEPS
 from potdem.pair_laws import Granular, Hertz, ShiftedLJ, Truss
+from potdem.text import replaced
 
 # sums of the same numbers in another order
 SAME = 1e-10
@@ -387,7 +388,7 @@ def test_partners_outside_the_group_count(run_lammps):
     script += scripts.elastic(E=1.0, area="factor 1.0") + "potdem_bonds all 1 1.2\ngroup free id 1 2\ngroup ends id 1 3\n"
     script = script + scripts.CRITICAL_STEP
     for group, springs in (("free", 2), ("ends", 1)):
-        run = run_lammps(script.replace("compute critical all", f"compute critical {group}"))
+        run = run_lammps(replaced(script, "compute critical all", f"compute critical {group}"))
         step, *_, particle = scripts.results(run.stdout)[-1]
         assert step == pytest.approx(2 / np.sqrt(2 * springs * formulas.section(1.0)), rel=SAME)
         assert particle == (2 if group == "free" else 1)
@@ -422,7 +423,7 @@ def test_ahead(run_lammps, wall):
     expected = 2 / np.sqrt(share * 1.5 * prefactor * np.sqrt(w) / mass)
 
     def ahead(gap, u, time):
-        script = approach(gap, u, wall) + scripts.CRITICAL_STEP.replace("timestep\n", f"timestep ahead {time}\n")
+        script = approach(gap, u, wall) + replaced(scripts.CRITICAL_STEP, "timestep\n", f"timestep ahead {time}\n")
         return scripts.results(run_lammps(script).stdout)[-1][0]
 
     # to a tenth of the energy: overlap to its 2/5, step to a quarter of that, 1 %

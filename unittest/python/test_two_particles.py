@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from potdem import formulas, scripts
+from potdem.text import replaced
 
 E, A = 1000.0, 0.5
 # forces and energies are products of a dozen factors: rounding 1e-15 each
@@ -346,7 +347,7 @@ def test_wall_of_a_rotating_drum(run_lammps):
 def test_wall_reaction_adds_up_over_particles_and_ranks(run_lammps):
     places = [(x, y, 0.4 + 0.01 * (x + y), 1.0) for x in (-6.0, 0.5, 6.0) for y in (-3.0, 4.0)]
     script = on_wall(0.45, options="friction 0.3 2.0")
-    script = script.replace(scripts.particles([(0.3, -0.2, 0.45, 1.0)]), scripts.particles(places))
+    script = replaced(script, scripts.particles([(0.3, -0.2, 0.45, 1.0)]), scripts.particles(places))
     script += "velocity all set 0.2 0.1 0\nrun 0\n" + scripts.write_dump("f.dump", "x y z fx fy fz") + scripts.result(
         "f_wall", *(f"f_wall[{k}]" for k in range(1, 7)))
     for nprocs in (1, 4):

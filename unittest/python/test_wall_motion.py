@@ -5,6 +5,7 @@ import pytest
 from test_wall_edges import LAW, RADIUS, STIFFNESS, start
 
 from potdem import scripts
+from potdem.text import replaced
 
 HERTZ = "1e4 0.2 particle 1e4 0.2"
 HEIGHT = 0.45
@@ -33,7 +34,7 @@ BELT = "variable way equal 0.7*time\nregion belt plane 0 0 0 0 0 1 move v_way NU
     BELT + "region side plane -9 0 0 1 0 0 units box\nregion table intersect 2 side belt",
     BELT + "region hole block 5 6 -9 9 -9 0 units box\nregion table union 2 hole belt",
     # what a union leaves out
-    BELT.replace("0 0 1 move", "0 0 -1 move") + "region lump sphere 9 9 0 1 units box\n"
+    replaced(BELT, "0 0 1 move", "0 0 -1 move") + "region lump sphere 9 9 0 1 units box\n"
     "region table union 2 lump belt side out",
     BELT + "region far plane -9 0 0 1 0 0 units box\nregion near plane 0 0 -3 0 0 1 units box\n"
     "region room intersect 2 near far\nregion table intersect 2 room belt"])
@@ -73,7 +74,7 @@ def test_a_cylinder_that_grows(run_lammps):
 
 def slider(velocity):
     """a grain on a belt whose speed is not that of the grain"""
-    return start(BELT.replace("belt", "table"), (0.3, -0.2, HEIGHT), f"""
+    return start(replaced(BELT, "belt", "table"), (0.3, -0.2, HEIGHT), f"""
 fix move all nve
 fix weight all gravity 9.81 vector 0 0 -1
 fix table all potdem/wall/region table {HERTZ} friction 0.3 auto
@@ -132,7 +133,7 @@ run {steps}
 def test_across_a_periodic_boundary(run_lammps):
     """a floor as long as the box: between two neighbour lists a particle is beyond the boundary, and on the floor"""
     for floor in ("block -5 5 -5 5 0 9 open 1 open 2 open 3 open 4 open 6", "block -5 5 INF INF 0 20"):
-        script = scripts.box((10, 40, 40), "p f f").replace("neighbor 0.3", "neighbor 2.0") + scripts.particles(
+        script = replaced(scripts.box((10, 40, 40), "p f f"), "neighbor 0.3", "neighbor 2.0") + scripts.particles(
             [(4.0, 0, HEIGHT, 2 * RADIUS)]) + f"""
 neigh_modify delay 1000 every 1000 check no
 pair_style none
@@ -149,7 +150,7 @@ thermo_modify format float {scripts.ALL_DIGITS}
 run 2000
 """
         if "open" not in floor:    # the ends are walls, where the wall is not open
-            script = script.replace("run 2000", "run 300")
+            script = replaced(script, "run 2000", "run 300")
         thermo = run_lammps(script).thermo
         assert np.ptp(thermo["f_floor[3]"]) < 1e-10 * abs(thermo["f_floor[3]"][0])
         assert np.abs(thermo["f_floor[1]"]).max() < 1e-10

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from potdem import dumps, formulas, networks, scripts
+from potdem.text import replaced
 
 SMALL = 1e-6     # velocities: strains of this order, so that the truss is linear to as much
 A = 0.5          # area factor
@@ -144,6 +145,6 @@ def test_speed_of_waves_along_a_bar(run_lammps):
 def test_speed_of_waves_along_a_bar_of_the_right_area(run_lammps, reach):
     """area body: c = (E / rho)^(1/2) of the solid, as its axial stiffness is right within 1 %, half of that in c"""
     length = 48
-    script = body("sc", (length, 5, 5), reach, "f f f", room=4.0).replace(f"area factor {A}", "area body density 1")
+    script = replaced(body("sc", (length, 5, 5), reach, "f f f", room=4.0), f"area factor {A}", "area body density 1")
     found = first_vibration(run_lammps, script, length, np.pi / length)
     assert found * length / np.pi == pytest.approx(1.0, abs=LOWERED + 0.005)
