@@ -154,7 +154,7 @@ def test_a_pair_that_is_bonded_and_fails_again_begins_anew(run_lammps, nprocs):
 
 
 KEPT = {
-    "restart": "write_restart half.restart\nclear\nread_restart half.restart\n" + replaced(SETTINGS, "mass 1", ""),
+    "restart": "write_restart half.restart\nclear\nread_restart half.restart\n" + SETTINGS,
     "pair_style again": "pair_style potdem/truss\npair_coeff * * 1000 0.5\n",
     "bond_style again": "bond_style potdem/truss\nbond_coeff * 1000 area factor 0.5\n",
     "other pages": "neigh_modify one 1000 page 20000\n",

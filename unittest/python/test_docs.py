@@ -246,6 +246,7 @@ def test_commands_of_an_example_name_programs_where_they_are(page):
     commands = [line.split() for block in re.findall(r"^```\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
                 for line in block.splitlines() if line.strip()]
     named = [words for words in commands if re.match(r"(\.|examples/|tools/|build/|bench/)", words[0])]
+    assert [words for words in named if words[0].endswith(".py")] == [], "tools/python runs them"
     assert any(words[0] == "examples/run" for words in named)
     for words in named:
         folder = page.parent if words[0].startswith(".") else ROOT
@@ -255,3 +256,5 @@ def test_commands_of_an_example_name_programs_where_they_are(page):
             assert (folder / words[words.index("-in") + 1]).exists(), words
         else:
             assert program.exists(), words
+        if words[0] == "tools/python":
+            assert (ROOT / words[1]).exists(), words

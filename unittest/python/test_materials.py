@@ -259,7 +259,7 @@ def test_other_units_that_agree(run_lammps, tmp_path):
 
 
 def test_where_a_file_is_looked_for(run_lammps, tmp_path, monkeypatch):
-    """the path as it is, then the folders of LAMMPS_POTENTIALS; examples/harness adds the bundled ones"""
+    """the path as it is, then the folders of LAMMPS_POTENTIALS; potdem.running adds the bundled ones"""
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     (elsewhere / "mine.potdem").write_text(file_text({"soft": {"E": 7.0}}))

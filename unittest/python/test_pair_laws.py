@@ -1,4 +1,4 @@
-"""potdem/lj, potdem/granular, potdem/hertz and potdem/truss in LAMMPS against the formulas of pair_formulas.py:
+"""potdem/lj, potdem/granular, potdem/hertz and potdem/truss in LAMMPS against the formulas of potdem.pair_laws:
 forces, energies, virial, mixing, data and restart files, hybrid styles, neighbour lists, ranks."""
 
 import re

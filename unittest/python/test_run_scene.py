@@ -1,4 +1,4 @@
-"""examples/run's harness on a small scene of its own."""
+"""What examples/run runs, on a small scene of its own."""
 
 import json
 import os
