@@ -1,6 +1,6 @@
 """plot.py FOLDER [FOLDER ...] PICTURE.png: area factor and Poisson's ratio against the influence radius, as in the
 thesis's Fig. 5.8, for the runs in the folders (build/examples/uniform-tension/<variant>.np<ranks>), over the exact
-staircase of the infinite lattice. Prints how far LAMMPS is from lattice.py, and ends with an error where that is more
+staircase of the infinite lattice. Prints how far LAMMPS is from theory, and ends with an error where that is more
 than the tolerance."""
 
 import sys
@@ -102,9 +102,9 @@ def main(*arguments):
 
     worst = [result.deviation() for result in results]
     for result, value in zip(results, worst):
-        print(f"{NAMES[result.lattice]}, {result.label}: largest relative deviation from lattice.py {value:.1e}")
+        print(f"{NAMES[result.lattice]}, {result.label}: largest relative deviation from theory {value:.1e}")
     if not max(worst) < TOLERANCE:
-        sys.exit(f"LAMMPS and lattice.py differ by more than {TOLERANCE:g}")
+        sys.exit(f"LAMMPS and theory differ by more than {TOLERANCE:g}")
 
 
 if __name__ == "__main__":

@@ -61,7 +61,8 @@ def environment(**more):
 
 
 def command(script, variables, log="none", nprocs=1, lmp=None):
-    """LAMMPS's command line, of the build's LAMMPS if no other is given; a variable may be a list of words; nothing is buffered so that progress is seen at once"""
+    """LAMMPS's command line, of the build's LAMMPS if no other is given; a variable may be a list of words; nothing is buffered,
+    so that progress is seen at once"""
     arguments = [str(lmp or LMP), "-in", str(script), "-log", str(log), "-nonbuf"]
     for name, value in variables.items():
         arguments += ["-var", name, *(str(v) for v in (value if isinstance(value, list) else [value]))]
