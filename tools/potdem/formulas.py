@@ -8,11 +8,11 @@ from typing import Callable
 import numpy as np
 
 
-# --- trusses; modulus: E A; x: the length over that at rest ---------------------------------------------------
-
 def sphere_mass(diameter, density=1.0):
     return density * math.pi / 6.0 * diameter**3
 
+
+# --- trusses; modulus: E A; x: the length over that at rest ---------------------------------------------------
 
 def section(mean_diameter, a=1.0):
     """area of a truss of area factor a"""

@@ -1,7 +1,7 @@
 """Small networks of trusses at small displacements, by linear algebra, without LAMMPS: what a set of bond areas is worth.
 
 Bodies are beams along x from x = 0, spacing (or mean diameter) 1, modulus 1, density 1. A bond of area A and length L
-is a spring A/L along its line. Nothing here comes from the package: the areas are given."""
+is a spring A/L along its line. Nothing here comes from the C++ code: the areas are given."""
 
 import numpy as np
 from scipy.linalg import cho_solve_banded, cholesky_banded
