@@ -4,7 +4,8 @@ import re
 from pathlib import Path
 
 import pytest
-import scripts
+
+from potdem import scripts as inputs
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -56,14 +57,14 @@ run 20
 def law_header(kind, style):
     """core/laws/*.h of a pair or bond style, by its row of CONTACT_LAWS or BOND_LAWS"""
     laws = ROOT / "src" / "core" / "laws"
-    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", scripts.table_of_laws(ROOT, kind))
+    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", inputs.table_of_laws(ROOT, kind))
     (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law} {{", header.read_text(), re.MULTILINE)]
     return header
 
 
 def registered_styles():
     """(kind, name) of the styles a user can name"""
-    return [(kind, name) for kind, name in scripts.registered_styles(ROOT) if not name.isupper()]
+    return [(kind, name) for kind, name in inputs.registered_styles(ROOT) if not name.isupper()]
 
 
 def accelerated(name):

@@ -4,8 +4,10 @@ copy of the sources, which is built as a plugin and checked with two particles."
 import conftest
 import numpy as np
 import pytest
-import scripts
 import walk_through
+
+from potdem import formulas, scripts
+from potdem.text import replaced
 
 pytestmark = pytest.mark.built_in
 
@@ -32,7 +34,7 @@ def lmp():
 
 # --- a bond law: a truss that yields (unittest/walk-through/bond_law.patch) ----------------------------------------------------
 
-E, YIELD, SECTION = 1000.0, 20.0, scripts.section(1.0, 0.5)
+E, YIELD, SECTION = 1000.0, 20.0, formulas.section(1.0, 0.5)
 
 
 class Yielding:
@@ -112,8 +114,8 @@ def test_restart_keeps_the_plastic_strain(bond_law, run_lammps, when, nprocs):
 
 
 def test_coefficients_are_checked_adapted_and_written(bond_law, run_lammps):
-    run_lammps(bonded(bond_law, BONDS.replace(f"{E}", "-1.0")), expect_error="E = -1 is out of range")
-    run_lammps(bonded(bond_law, BONDS.replace(f"{YIELD}", "0.0")), expect_error="yield = 0 is out of range")
+    run_lammps(bonded(bond_law, replaced(BONDS, f"{E}", "-1.0")), expect_error="E = -1 is out of range")
+    run_lammps(bonded(bond_law, replaced(BONDS, f"{YIELD}", "0.0")), expect_error="yield = 0 is out of range")
     run_lammps(bonded(bond_law, BONDS.strip() + " penetration 2\n"), expect_error="damping")
     script = bonded(bond_law) + moved_to(1.05, "run 0") + STATE + "variable softer equal 10.0\n"
     script += "fix soften all adapt 1 bond potdem/plastic yield * v_softer\nrun 0\n" + STATE
@@ -156,8 +158,8 @@ def test_beside_a_truss_in_hybrid(bond_law, run_lammps, run, nprocs):
     law = Yielding()
     for x, found in zip(PATH, scripts.results(run_lammps(script, nprocs=nprocs).stdout)):
         tension, energy = law.stretched(x)
-        truss = scripts.truss_tension(x, SECTION * E)
-        assert found == pytest.approx([truss, tension, energy + scripts.truss_energy(x, 1.0, SECTION * E)], rel=1e-9), x
+        truss = formulas.truss_tension(x, SECTION * E)
+        assert found == pytest.approx([truss, tension, energy + formulas.truss_energy(x, 1.0, SECTION * E)], rel=1e-9), x
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])

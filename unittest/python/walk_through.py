@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from potdem.text import replaced
+
 LIST = "src/core/laws/law_list.h"
 STYLES = "potdemstyles.so"
 
@@ -57,13 +59,13 @@ def build_plugin(root, build, patch, folder):
     def compile_copy(item):
         name, line = item
         local = folder / Path(name).name
-        line = line.replace(f"{root}/src", f"{folder}/src").replace(f" -o {name} ", f" -o {local} ")
+        line = replaced(replaced(line, f"{root}/src", f"{folder}/src"), f" -o {name} ", f" -o {local} ")
         output_of("sh", "-c", re.sub(r" -MD -MT \S+ -MF \S+", "", line), cwd=build)
         return name, local
 
     with ThreadPoolExecutor(2) as workers:
         for name, local in workers.map(compile_copy, anew.items()):
-            link = link.replace(name, str(local))
-    output_of("sh", "-c", link.replace(f"-o {STYLES}", f"-o {folder / STYLES}"), cwd=build)
+            link = replaced(link, name, str(local))
+    output_of("sh", "-c", replaced(link, f"-o {STYLES}", f"-o {folder / STYLES}"), cwd=build)
     shutil.copy(build / "potdemplugin.so", folder)
     return folder / "potdemplugin.so"
