@@ -176,3 +176,121 @@ def test_each_law_of_a_hybrid_fails_by_its_own_fix(bond_law, run_lammps, nprocs)
     assert found[0, 3] > 0.0 and found[1, 3] == 0.0
     assert found[1, 4] == pytest.approx(SECTION * YIELD, rel=1e-9)
     assert found[3, 3] == 0.0 and found[3, 4] == 0.0
+
+
+# --- a normal law: a linear spring (unittest/walk-through/contact_law.patch) ---------------------------------------------------
+
+contact_law = plugin_of("contact_law")
+K, MASS = 400.0, 2.0
+TOUCHING = [(0.1, -0.45, 0.1, 1.0), (0.1, 0.45, 0.1, 1.0, 2)]
+
+
+def two_particles(plugin, pair, newton="off", types=2):
+    """one above the other, 0.9 apart, each half of the box a rank if there are two"""
+    script = f"plugin load {plugin}\nprocessors 1 * 1\n" + scripts.box(20, types=types, newton=newton)
+    script += scripts.particles(TOUCHING) + f"set group all mass {MASS}\n" + pair
+    return script + "thermo_style custom step pe\nthermo_modify format float %.17g\ntimestep 1e-5\n"
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_normal_law_pushes_is_mixed_restarted_and_adapted(contact_law, run_lammps, nprocs):
+    """in series two springs k and 3 k are 1.5 k"""
+    script = two_particles(contact_law, f"pair_style potdem/linear\npair_coeff 1 1 {K}\npair_coeff 2 2 {3 * K}\n")
+    script += "fix move all nve\ncompute step all potdem/timestep\nthermo_style custom step pe c_step\nrun 0\n"
+    script += scripts.result("fy[1]", "pe", "c_step") + "write_restart half.restart\nclear\n"
+    script += f"plugin load {contact_law}\nprocessors 1 * 1\nread_restart half.restart\nfix move all nve\n"
+    script += "compute step all potdem/timestep\nthermo_style custom step pe c_step\nrun 0\n" + scripts.result("fy[1]", "pe", "c_step")
+    script += f"variable k equal {3 * K}\nfix stiffer all adapt 1 pair potdem/linear k 1 1 v_k\nrun 0\n"
+    script += scripts.result("fy[1]", "pe", "c_step")
+    mixed = np.array([1.5, 1.5, 3.0]) * K
+    expected = np.column_stack([-mixed * 0.1, 0.5 * mixed * 0.01, 2.0 / np.sqrt(2.0 * mixed / MASS)])
+    assert scripts.results(run_lammps(script, nprocs=nprocs).stdout) == pytest.approx(expected, rel=1e-12)
+
+
+def test_normal_law_is_a_wall_and_checks_its_coefficient(contact_law, run_lammps):
+    pair = f"pair_style potdem/linear\npair_coeff * * {K}\n"
+    script = two_particles(contact_law, pair) + "region floor plane 0 -0.9 0 0 1 0\n"
+    wall = f"fix floor all potdem/wall/region floor law linear {K}\nrun 0\n"
+    (found,) = scripts.results(run_lammps(script + wall + scripts.result("fy[1]", "f_floor")).stdout)
+    assert found == pytest.approx([-K * 0.1 + K * 0.05, 0.5 * K * 0.05**2], rel=1e-11)
+    run_lammps(replaced(script + wall, f"linear {K}", "linear 0"), expect_error="k = 0 is out of range, it must be > 0")
+
+
+# --- a tangential law with state: a spring that slips (unittest/walk-through/tangential_law.patch) -----------------------------
+
+tangential_law = plugin_of("tangential_law")
+MU, SPRING, SPEED, DT = 0.5, 200.0, 1e-3, 1e-5
+ROUGH = f"pair_style potdem/truss\npair_coeff * * {K} 0.5 friction {MU} elastic {SPRING}\n"
+
+
+NORMAL = K * SECTION * 0.5 * (1.0 - 0.9**2)
+
+
+def pulled(piece, there, back):
+    """force along x on what is pulled there and then back by pieces: of a spring that slips at the limit, and of the normal
+    force, which tilts"""
+    out, spring, place, limit = [], 0.0, 0.0, MU * NORMAL / SPRING
+    for count, sign in ((there, 1.0), (back, -1.0)):
+        for _ in range(count):
+            place += sign * piece
+            spring = np.clip(spring + sign * piece, -limit, limit)
+            out.append(-SPRING * spring + NORMAL * place / 0.9)
+    return out
+
+
+def pull(pieces, steps, sign):
+    move = f"fix pull upper move linear {sign * SPEED} 0 0\n"
+    return move + f"run {steps}\n{scripts.result('fx[2]', 'fx[1]')}" * pieces + "unfix pull\n"
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("newton", ["off", "on"])
+@pytest.mark.parametrize("lists", ["", "neigh_modify every 1 delay 0 check no\n"])
+def test_friction_remembers_slips_and_turns_back(tangential_law, run_lammps, lists, newton, nprocs):
+    steps, there, back = 100, 8, 6
+    piece = 1.3 * MU * NORMAL / SPRING / there    # so that it slips in the last pieces
+    script = two_particles(tangential_law, ROUGH, newton) + lists + "group upper id 2\nfix hold all nve/noforce\n"
+    script += f"timestep {piece / SPEED / steps:.17g}\n" + pull(there, steps, 1.0) + pull(back, steps, -1.0)
+    found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    # the arm is longer, the force less by the square of the tilt
+    tilt = 1.3 * MU * NORMAL / SPRING / 0.9
+    assert found[:, 0] == pytest.approx(np.array(pulled(piece, there, back)), abs=3.0 * NORMAL * tilt**2)
+    assert tilt < 0.06
+    assert found[:, 1] == pytest.approx(-found[:, 0], rel=1e-12)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("newton", ["off", "on"])
+def test_friction_is_in_a_restart_file(tangential_law, run_lammps, newton, nprocs):
+    """without a step, and the next steps go on from there"""
+    script = two_particles(tangential_law, ROUGH, newton) + "group upper id 2\nfix hold all nve/noforce\n"
+    script += pull(1, 500, 1.0) + "write_restart half.restart\n" + pull(1, 500, 1.0) + "clear\n"
+    script += f"plugin load {tangential_law}\nprocessors 1 * 1\nread_restart half.restart\n"
+    script += "fix hold all nve/noforce\nthermo_modify format float %.17g\nrun 0\n" + scripts.result("fx[2]", "fx[1]")
+    script += pull(1, 500, 1.0)
+    first, second, read, again = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    assert first == pytest.approx(np.array([1.0, -1.0]) * pulled(SPEED * 500 * DT, 1, 0), rel=1e-9)
+    assert read == pytest.approx(first, rel=1e-12)
+    assert again == pytest.approx(second, rel=1e-9)
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_friction_at_a_wall_remembers_too(tangential_law, run_lammps, nprocs):
+    """also in a restart file; and what leaves the wall forgets"""
+    script = two_particles(tangential_law, f"pair_style potdem/truss\npair_coeff * * {K} 0.5\n")
+    wall = f"fix floor all potdem/wall/region floor law truss {K} 0.5 friction {MU} elastic {SPRING}\n"
+    script += "region floor plane 0 -0.9 0 0 1 0\n" + wall + "fix pull all move linear 1e-3 0 0\n"
+    script += "run 300\n" + scripts.result("fx[1]") + "write_restart half.restart\nrun 200\n" + scripts.result("fx[1]")
+    script += "unfix pull\ndisplace_atoms all move 0 1 0\nrun 0\ndisplace_atoms all move 0 -1 0\n"
+    script += "fix pull all move linear 1e-3 0 0\nrun 10\n" + scripts.result("fx[1]") + "clear\n"
+    script += f"plugin load {tangential_law}\nprocessors 1 * 1\nread_restart half.restart\nregion floor plane 0 -0.9 0 0 1 0\n"
+    script += wall + "fix pull all move linear 1e-3 0 0\nthermo_modify format float %.17g\nrun 0\n" + scripts.result("fx[1]")
+    found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)[:, 0]
+    assert found == pytest.approx(-SPRING * SPEED * DT * np.array([300, 500, 10, 300]), rel=1e-9)
+
+
+def test_friction_is_known_by_its_keyword_and_range(tangential_law, run_lammps):
+    run_lammps(two_particles(tangential_law, replaced(ROUGH, f"elastic {SPRING}", "elastic -1")),
+               expect_error="k = -1 is out of range, it must be > 0")
+    other = ROUGH + f"pair_coeff 2 2 {K} 0.5 friction {MU} auto\n"
+    run_lammps(two_particles(tangential_law, other) + "run 0\n", expect_error="different laws of friction")

@@ -54,7 +54,8 @@ void LAMMPS_NS::potdem_read_required(PotdemMaterialInput &input, const PotdemLaw
     } else if (row.source == Row::MATERIAL) {
       k += read_properties(input, rows, k);
     } else {
-      *row.value = row.source == Row::MATERIAL_LENGTH ? input.stiffness() : read_number(input, row);
+      *row.value = row.source == Row::MATERIAL_LENGTH ? input.stiffness(row.label())
+                                                      : read_number(input, row);
       k++;
     }
   }

@@ -38,12 +38,14 @@ std::vector<double> PotdemMaterialInput::of_material(const std::vector<const cha
   return values;
 }
 
-double PotdemMaterialInput::stiffness()
+double PotdemMaterialInput::stiffness(const std::string &name)
 {
-  if (!next_matches(PotdemMaterialFile::is)) return in_range("K0", POTDEM::positive());
+  if (!next_matches(PotdemMaterialFile::is)) return in_range(name, POTDEM::positive());
   const double E = property("E");
   if (!next_is("length"))
-    fail("a material has no stiffness K0 of its own: put 'length L' after it, for K0 = E L");
+    fail(fmt::format(
+        "a material has no stiffness {0} of its own: put 'length L' after it, for {0} = E L",
+        name));
   return E * in_range("length L", POTDEM::positive());
 }
 

@@ -28,7 +28,7 @@ class PotdemMaterialInput : public PotdemInput {
   std::vector<double> properties(const std::vector<const char *> &names,
                                  const std::string &owner = "");
   double property(const char *name) { return properties({name}).front(); }
-  double stiffness();      // K0, or 'FILE.potdem MATERIAL length L'
+  double stiffness(const std::string &name);    // a number, or 'FILE.potdem MATERIAL length L'
   double friction_mu();    // mu, a material, or 'file': that of the materials of this command
 
  private:
