@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What each feature costs in nanoseconds a step, beside LAMMPS's own styles on the same network and the same contacts; all
 run in turn on one core, several times. Prints Markdown. Asserts nothing: times belong to the machine."""
 

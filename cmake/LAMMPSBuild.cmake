@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 # Builds LAMMPS from POTDEM_LAMMPS_DIR with the styles of this package compiled in: build/lmp.
 # LAMMPS's tree is not written to.
 

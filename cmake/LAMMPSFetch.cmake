@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 # Gets the sources of one LAMMPS release: upstream first, then Debian's archive of the same release from
 # the mirrors that this machine's package manager is set up with.
 

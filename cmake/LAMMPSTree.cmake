@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 # Sets POTDEM_LAMMPS_DIR, the LAMMPS source tree to build with, POTDEM_LAMMPS_VERSION ("4 Feb 2025")
 # and POTDEM_LAMMPS_PACKAGES. The tree is the user's own (LAMMPS_SOURCE_DIR) or a fetched one.
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 # The same styles for a LAMMPS that is already there: build/potdemplugin.so, to be loaded, and
 # build/potdemstyles.so beside it, which potdemplugin.so loads once it has seen that the versions match.
 # In one file the dynamic linker would refuse another version first, with the name of a missing symbol.

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 // areas of one body by `area body`, without LAMMPS, for tools/area_constants.py.
 // in: particles, bonds, "x y z d v" of each particle, "i j" of each bond; out: the area of each bond, nothing where refused
 

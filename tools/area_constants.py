@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What the constants of `area body` do: axial and bending stiffness of two bars of docs/area.md, over the exact values, with
 each chosen constant halved and doubled (whole numbers rounded down, at least 1).
 

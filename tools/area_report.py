@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What the areas of the trusses are worth: beams of several lattices and packings, their stiffness in tension and bending,
 the tip deflection and the first frequency of the cantilever, over the exact values of the solid (docs/area.md).
 

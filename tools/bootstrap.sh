@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 # Sourced by examples/run, unittest/run, bench/run, tools/report and tools/python: says where Python finds this
 # project's package, installs what is missing and builds.
 # The Debian packages are named here and nowhere else.

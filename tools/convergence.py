@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Convergence of a cantilever with the number of particles through the depth, r_infl/d fixed: tip deflection and first
 frequency against Timoshenko's beam, for the three area modes and the two places where the clamp may be taken to act.
 

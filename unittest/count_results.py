@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Adds up the results of the test programs (JUnit XML) and ends with one line for all of them.
 
 usage: count_results.py EXIT_STATUS:FILE.xml ...

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """packing.py [SEED]: writes random.data, a random packing (62 % dense, diameters within 20 %) in a box of 32 x 6 x 6 mean
 diameters, for in.bar-strength. The mass of a particle is its share of the box."""
 

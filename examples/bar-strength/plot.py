@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER PICTURE.png: the bar after it has parted, motion enlarged, coloured by the axial stress, and stress
 against strain until then, for a run (build/examples/bar-strength/<variant>.np<ranks>)."""
 

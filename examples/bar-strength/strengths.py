@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Strength of the bars over f_t: measured, and of the bonds' directions.
 
   strengths.py [LOG ...]             prints the tables of the README (reference logs if none are named)

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claims 2 to 5 of the thesis (6.3, Figs 6.3 to 6.11) from finished runs; examples/run all prints them."""
 
 from potdem import dumps, logs

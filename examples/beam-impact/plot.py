@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the beam and the block at the thesis's three instants, coloured by the
 strain along the beam; a column for each folder of a run (build/examples/beam-impact/<variant>.np<ranks>)."""
 

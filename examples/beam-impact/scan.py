@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Where does the beam part, as a function of what the thesis does not state?
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py position=i speed=3,5 damping=0,0.01,0.02,0.03,0.05

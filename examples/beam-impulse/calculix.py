@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """calculix.py [NAME ...]: writes the input of CalculiX for the references of this scene, runs ccx (Debian's
 calculix-ccx) on it, and writes the deflection of the loaded section against time. Everything is in calculix/, and the
 scene only reads the results: it takes CalculiX, and about 40 minutes, to make them anew.

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 1 measured: deflection and period against finite elements.
 
   claims.py [LOG ...]      default: the reference logs in this folder

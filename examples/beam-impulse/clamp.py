@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Where does the clamp act? Static deflection of the truss network of this scene under a load on its end layer, by
 sparse linear algebra (no LAMMPS), all bonds with the same section. The curvature and the shear of the middle third
 give the bending stiffness E I and the shear stiffness of the network, and the clamp is put where a Timoshenko

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: deflection of the loaded section against time for the runs in the folders
 (build/examples/beam-impulse/<variant>.np<ranks>) and the references, a panel for each pulse."""
 

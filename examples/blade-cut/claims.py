@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 9 measured: how high the grains heap in front of the blade, and where the slip line from its tip meets the surface.
 
   claims.py FOLDER ...                     of examples/run: build/examples/blade-cut/<variant>.np<ranks>

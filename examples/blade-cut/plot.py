@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the bed at the start and after 100 and 200 mm of the blade, the grains coloured by their
 horizontal displacement, with the slip line; a row for each folder of a run (build/examples/blade-cut/<variant>.np<ranks>)."""
 

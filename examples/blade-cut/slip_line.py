@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The heap in front of the blade and the slip line below it, from the dump of a run.
 
 The profile of the surface is the top of the highest grain in each column of 20 x 20 mm, averaged over the width. A grain

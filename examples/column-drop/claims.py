@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 10 measured: the final shape of the heap, for several readings of its height and width.
 
   claims.py FOLDER ...                     of examples/run: build/examples/column-drop/<variant>.np<ranks>

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the column before the left wall is gone, while it spreads and at the end, coloured by the
 horizontal velocity; a column for each folder of a run (build/examples/column-drop/<variant>.np<ranks>)."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 6 measured: when the wave reaches the supports, how large the reaction gets, which part of the beam is broken.
 
   claims.py FOLDER ...                     of examples/run: build/examples/concrete-beam/<variant>.np<ranks>

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the wave in the beam, and the beam at the thesis's instants, coloured by the bonds
 that its particles have lost; a column for each folder of a run (build/examples/concrete-beam/<variant>.np<ranks>)."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """reaction.py FOLDER PICTURE.png: the reaction of both supports against time for the four speeds, with failure and without;
 FOLDER holds the runs (build/examples/concrete-beam)."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER PICTURE.png: energy, force and stiffness of a run (build/examples/contact-laws/<law>.np1) over the
 formula. Ends with an error where LAMMPS and the formula differ by more than the tolerance."""
 

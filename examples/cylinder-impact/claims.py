@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 8 of the thesis (6.6, Figs 6.19 to 6.21) from finished runs; examples/run all prints it."""
 
 from potdem import logs

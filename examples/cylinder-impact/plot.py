@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the cylinder at the thesis's four instants, coloured by the vertical
 velocity, and the sizes of its pieces against time; a column for each folder of a run
 (build/examples/cylinder-impact/<variant>.np<ranks>)."""

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 11 of the thesis (6.9, Fig. 6.27) from finished runs; examples/run all prints it."""
 
 from potdem import logs

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: disc and bed at the thesis's four instants, in the plane of the disc, the bed
 grey, the disc coloured by the share of its bonds that a particle has lost; below, what happens against time. A column for
 each folder of a run (build/examples/disc-bed/<variant>.np<ranks>)."""

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """How does the disc rebound and break, and what does the bed do, as a function of what the thesis does not state?
 
   scan.py NAME=VALUE[,VALUE ...] ...      e.g. scan.py damping=0,0.05 mu=0,0.3 time=0.4 picture=no

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER PICTURE.png: a run (build/examples/elastic-statics/<variant>.np<ranks>) over the exact answer:
 displacements of the layers of particles, or, for the plate with a hole, the stress. Ends with an error where an answer
 that should be exact is not."""

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The exact answers, with E = d = 1 and loads of the order `small`."""
 
 from dataclasses import dataclass

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Claim 7 measured: how the right part falls, how many grains stay on the ledges, how fast the others leave.
 
   claims.py FOLDER ...                     of examples/run: build/examples/hopper/<variant>.np<ranks>

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the grains at the thesis's three instants, coloured by their downward
 velocity; a row for each folder of a run (build/examples/hopper/<variant>.np<ranks>)."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """lattice.py: prints the table of the infinite lattices of this scene, computed without LAMMPS."""
 
 import itertools

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """plot.py FOLDER [FOLDER ...] PICTURE.png: area factor and Poisson's ratio against the influence radius, as in the
 thesis's Fig. 5.8, for the runs in the folders (build/examples/uniform-tension/<variant>.np<ranks>), over the exact
 staircase of the infinite lattice. Prints how far LAMMPS is from theory, and ends with an error where that is more

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The one registration table. LAMMPS includes this file among its own style headers (package compiled
    in), plugin.cpp includes it with macros of its own (plugin). A new style is one line in its block
    and one include below; a new law is a row in core/laws/law_list.h instead. */

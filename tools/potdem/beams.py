@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Timoshenko's beam, clamped at one end and free at the other: static deflection, natural modes, and its exact response to a
 force on one of its sections, as a sum over the modes.
 

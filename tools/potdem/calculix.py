@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Input for CalculiX: the struck cantilever of beam-impulse in quadratic elements, and the deflection that it prints."""
 
 import itertools

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The head-on collision of two spheres of the Hertz law: closed forms, and input of LAMMPS for it."""
 
 import numpy as np

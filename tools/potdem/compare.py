@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Compares the thermo output of a run with a reference, column by column, by the rules of scene.yaml.
 
   reference:

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Reads LAMMPS's text dumps, of atoms (dump custom) and of other entries (dump local)."""
 
 from pathlib import Path

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The laws as the pages in docs/ state them, written independently of the C++ code: energy, force (positive
 repels) and stiffness. Everywhere the arguments may be arrays, and the units any that go together."""
 

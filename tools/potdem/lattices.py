@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Crystal lattices: sites and bonds, and what networks of trusses on them do, by lattice sums and plane waves.
 
 Nearest neighbours are at distance d = 1, E = 1, and the section of a bond with the area factor 1 is pi/4."""

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """LAMMPS's log files: the thermo output of all runs joined to one table, warnings, error messages, what a script printed.
 
 Thermo output is read by LAMMPS's own lammps.formats.LogFile. It leaves out rows with nan or inf and a run that was not

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Small networks of trusses at small displacements, by linear algebra, without LAMMPS: what a set of bond areas is worth.
 
 Bodies are beams along x from x = 0, spacing (or mean diameter) 1, modulus 1, density 1. A bond of area A and length L

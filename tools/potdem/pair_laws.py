@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The pair laws as pair_coeff has them, with mixing, and the forces of a handful of particles by a sum over all pairs.
 
 A law is called with the distance and the two diameters and returns energy and force; positive repels."""

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Writes the frames of a run for ParaView: a legacy VTK file each, and a .vtk.series that gives their times. Every column of
 the dump becomes a value of the points; show them as point gaussians or spheres of size `radius`."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each; pictures and animations."""
 
 from dataclasses import dataclass

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """How far runs of LAMMPS have come: one line that is rewritten on a terminal, a line now and then elsewhere."""
 
 import sys

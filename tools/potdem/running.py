@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Runs LAMMPS: its command line and environment, and what a run leaves behind."""
 
 import os

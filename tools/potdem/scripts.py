@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """LAMMPS input that tests and reports share, and readers of what it prints."""
 
 import re

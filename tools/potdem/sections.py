@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The sections of the bonds of a body, as LAMMPS finds them."""
 
 import tempfile

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The struck cantilever of the scene beam-impulse: its data, and the deflection of the loaded section against time by finite
 elements, as a sum over modes and in runs of LAMMPS."""
 

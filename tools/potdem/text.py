@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Changes to texts that must not go unnoticed when there is nothing to change."""
 
 

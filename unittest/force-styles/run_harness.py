@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Runs LAMMPS's force-style harness on every YAML file of tests/ and writes the results as one JUnit XML file.
 
 usage: run_harness.py FOLDER_OF_THE_PROGRAMS RESULTS.xml

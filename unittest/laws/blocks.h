@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Bodies for the tests of core/areas. */
 
 #ifndef POTDEM_TEST_BLOCKS_H

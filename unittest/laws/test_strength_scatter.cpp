@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 // Scatter of strengths: its distribution against the exact one, and that it belongs to the bond alone.
 
 #include "core/laws/strength_scatter.h"

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 #include "core/laws/hertz.h"
 #include "core/laws/regularised_granular.h"
 #include "core/laws/shifted_lj.h"

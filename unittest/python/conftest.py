@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Fixtures for tests that drive build/lmp, or with POTDEM_STYLES=plugin a LAMMPS without our styles that loads the
 plugin."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Runs a LAMMPS script in LAMMPS's Python module and writes what it hands out as JSON.
 usage: read_by_python.py SCRIPT WANTED.json FOUND.json, with WANTED a list of [name, function, arguments]: the name of a
 value in FOUND, and a function of the module (numpy.FUNCTION for its NumPy wrapper) with its arguments."""

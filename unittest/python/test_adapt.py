@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """fix adapt and the extra columns of compute pair/local and bond/local: coefficients that change during a run against the
 formulas with the new coefficients."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """fix potdem/timestep: the step that it sets, that all of LAMMPS follows it, and the order of the error."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """`area body`: one area per bond, from the body itself. The areas that LAMMPS finds are put into a network that is
 solved here, with free surfaces, and compared with the elastic beam."""
 

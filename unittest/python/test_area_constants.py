@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """tools/area_constants.py: its solver is `area body`, and the table of docs/area.md names the constants that the code has"""
 
 import re

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Every error names what is wrong and what to do. One case is one wrong line in a script that works."""
 
 import pytest

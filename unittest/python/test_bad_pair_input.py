@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Errors of the pair styles potdem/lj, potdem/granular and potdem/hertz, as in test_bad_input.py."""
 
 import pytest

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Bars that are pulled until they part (examples/bar-strength): strength along the axes of the lattices, and what the
 directions of the bonds say."""
 

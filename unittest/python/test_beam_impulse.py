@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The references of the scene beam-impulse against each other, and its claim: deflection and period agree with finite
 elements. Reads the results that are committed; test_run_scene.py and examples/run are what runs scenes."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The networks that potdem_bonds makes, and the stiffness of crystals made of them."""
 
 import numpy as np

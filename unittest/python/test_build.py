@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Getting LAMMPS, building with it, and the plugin."""
 
 import json

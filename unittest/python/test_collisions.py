@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Two particles in motion against solutions of their equations of motion: collisions, sliding, rolling."""
 
 import numpy as np

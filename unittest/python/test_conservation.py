@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Without dissipation nothing may be lost: momentum, angular momentum, energy."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """tools/convergence.py: cantilevers with more and more particles through the depth."""
 
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Numerical damping against eq. 5.30, with a constant force given by fix addforce."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """A bond that has failed is gone for good, from every list of LAMMPS, and what its contact remembers belongs to the contact."""
 
 import pytest

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The documentation: every example runs, every style has a page, every page has its sections in order."""
 
 import re

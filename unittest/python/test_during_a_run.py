@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What happens while a run goes on: grains and bodies that come, particles that grow, minimisers, coefficients that
 are given again. Each small case was wrong once; the right value is beside it. (That a new LAMMPS finds the same from
 a restart file is test_set_up_anew.py.)"""

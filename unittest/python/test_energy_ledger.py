@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """compute potdem/energy: the sum of all terms is constant, whatever is dissipated, broken or pushed by walls."""
 
 import numpy as np

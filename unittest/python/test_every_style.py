@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The selection that unittest/run runs through the plugin as well: tests marked every_style."""
 
 import re

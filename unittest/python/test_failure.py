@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Bonds that fail: when, with what energy, and what is left between the two particles."""
 
 import math

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """potdem_gather.h: what ranks tell each other arrives, beyond 2^31 bytes too; beyond 2^31 items there is an error."""
 
 import re

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """pair_style hybrid and hybrid/overlay: the same forces as alone."""
 
 import numpy as np

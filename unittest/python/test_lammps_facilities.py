@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What users of LAMMPS expect of any style: minimisers find the minimum of the energy, stresses are those of the
 forces, fix nve/limit limits."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What a scene does not need is not there: no fix, no communication, no list, as LAMMPS itself reports them."""
 
 import re

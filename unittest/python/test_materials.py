@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Material files: the same as the numbers in the script, for every style; units; the bundled files; errors."""
 
 import re

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What a run says when it goes wrong: one warning for each reason, and none where nothing is wrong."""
 
 import re

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """potdem/lj, potdem/granular, potdem/hertz and potdem/truss in LAMMPS against the formulas of potdem.pair_laws:
 forces, energies, virial, mixing, data and restart files, hybrid styles, neighbour lists, ranks."""
 

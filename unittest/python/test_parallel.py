@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The number of ranks and the newton setting are no physics: same trajectories, same broken bonds."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """compute potdem/piece/atom against the connected components of the graph that the dumped bonds make."""
 
 import re

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """dimension 2, beyond the forces of test_two_dimensions.py: a plate, breaking, walls, discs that roll, the ledger."""
 
 import math

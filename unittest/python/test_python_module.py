@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What LAMMPS's Python module reads from the styles of this package, against what the same run wrote to its log and its
 dumps in the same step."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """tools/report accuracy: fronts and recommendations of known points, error functions on known data, references against closed forms, one
 small case from end to end."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """A run continued from a restart file is the run that was not interrupted."""
 
 import numpy as np

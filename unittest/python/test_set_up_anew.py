@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """To go on is to set up anew: at any step of a run, whatever has just happened in it, the forces, energies, counts and
 bonds are those that a new LAMMPS finds from the restart file of that step.
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """tools/report stability: how runs are judged, on made-up logs, and that its page is made of what was judged."""
 
 from pathlib import Path

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """compute potdem/strain/atom against the Green-Lagrange tensor of motions that are known."""
 
 import numpy as np

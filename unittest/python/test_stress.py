@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Stress at the particles by LAMMPS's own compute stress/atom, the bonds' virial over the particle's volume, as
 docs/compute_potdem_strain_atom.md describes it."""
 

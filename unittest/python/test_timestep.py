@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """compute potdem/timestep against eigenvalues of the whole system, and against the step at which a run blows up."""
 
 from itertools import product

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """dimension 2: the same laws in the plane z = 0, with masses that the script gives."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Bond, contact and wall on one or two particles against the formulas of the model, written here again."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The walk-through of docs/developer.md: a new law is one header and one row. Each patch of unittest/walk-through is applied to a
 copy of the sources, which is built as a plugin and checked with two particles."""
 

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Edges, corners, openings and seams of walls: a particle is led along a path, and on it the force must be continuous
 and the slope of the energy. That is asked of POTDEM, of LAMMPS's regions, and of the remedies that the page of the fix
 gives where LAMMPS's regions fall short."""

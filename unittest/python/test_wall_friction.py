@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """`friction mu auto` at walls: Coulomb friction that holds a grain at rest, checked on an incline and in a corner."""
 
 import math

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Walls that move, turn and grow: what friction, the viscous term and the ledger see of their velocity."""
 
 import numpy as np

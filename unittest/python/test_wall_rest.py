@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """A grain at rest in a corner, and one that falls on a wall with a soft layer, against hand calculation."""
 
 import math

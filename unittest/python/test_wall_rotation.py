@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """fix potdem/wall/region with `rotation`: spheres that slide, roll and spin on walls."""
 
 import math

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Elastic waves in truss networks against the dispersion of the lattice: E = 1, cells of volume and mass 1."""
 
 import itertools

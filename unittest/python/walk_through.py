@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Applies a patch of unittest/walk-through to a copy of the sources and builds the plugin from it: what the patch touches, and
 what includes that, is compiled anew; all else is taken from the build under test."""
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The strains in which a particle's energy and balance count: K_i = sum trust^2 eps (x) eps over the strains of the stress states
    that are admissible at it, orthonormal in energy (modulus 1). Inside the body these are all states, and K_i is the compliance.
    States with a traction on a blocked direction drop out. Below a surface they count less, the more so the nearer it is:

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* One area per bond of a body of any packing and shape (`area body`), such that the network is an
    isotropic solid of modulus E (Poisson's ratio 1/4, the only one of central forces) up to its free surfaces.
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The body whose bonds want areas: particles, bonds, and who neighbours whom. Plain data; the classes beside it
    (cells, surfaces, volumes, admissible states, targets, least squares) read it.
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The cells of a body's particles: Voronoi cells bounded by the planes between bonded neighbours, radical planes if the
    diameters differ. They are measured by rays from the centres. */
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Every number that `area body` has been given rather than finds: one line each, above it what it is and where it comes
    from. *Derived* and *rounding* need no measurement. *Chosen* ones were set on the beams of docs/area.md; what half and
    twice the value do is measured by tools/area_constants.py, which reads this file and prints the table of that page. */

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Area factor of a perfect lattice (`area lattice`): the a in A = a pi/4 d^2, with d the spacing of
    nearest neighbours, for which uniaxial tension has exactly the modulus E: along a cube axis, and in hexagonal
    packing along any direction of the basal plane.

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Areas x A0 of a body's bonds that minimise
 
      sum_i energy misfit^2 + imbalance^2 + PULL^2 sum (x - 1)^2,    LEAST <= x <= MOST,

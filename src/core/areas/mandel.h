@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Symmetric tensors as vectors and matrices (Mandel's notation): components xx yy zz yz xz xy, the last
    three times sqrt 2, so that a double contraction is a scalar product. And the moments of bond directions,
    kept by their distinct components only: third order 10, fourth order 15.

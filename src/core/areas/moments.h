@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* What the two conditions of a particle need to know of its bonds: sum A n n n (third order, balance) and sum A L/2 n n n n (fourth
    order, energy), as 10 + 15 distinct components in the order of direction_products(). */
 

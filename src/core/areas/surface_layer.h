@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Discrete second derivatives, summed over the body: inside they cancel, along the surface a layer is left.
 
    For every particle k there are weights w_j on its neighbours with sum w dx = 0 and sum w dx dx = V_k I: then

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Where a body's free surfaces are, as its particles see them. */
 
 #ifndef POTDEM_AREAS_SURFACES_H

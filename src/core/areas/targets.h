@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The stiffness tensor T_i that each particle's bonds shall have: C of the isotropic solid, corrected near surfaces.
 
    Particles carry the energy of a field at their centres and bonds at their middles, the solid carries it everywhere. With

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The areas that all others are measured by: A0 = a dbar^2, dbar the mean diameter of the ends, with one a. In an isotropic
    solid of nu = 1/4 the sum of A L / 2 over the bonds of a particle is 6 V; a is such that this holds in the mean inside. */
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The volume that each particle stands for: that of its own cell, which ends at a surface at the planes of the faces
    nearby, lambda times the radius outside the faces' particles. lambda is such that the volumes given add up; without any,
    such that all together have c d^3, c the mean of the closed cells. Where no lambda does that, V is as given, or c d^3.

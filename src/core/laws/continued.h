@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* A law that grows without bound as s -> 0, continued below s = least by its tangent there:
 
      F = F(least) + K(least) (least - s),  Phi its integral,  K = K(least)        s < least

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The dashpot of a bond: a fraction xi of the critical damping of its two particles on this bond alone,
 
      C = 2 xi sqrt(K m)        K stiffness at rest, m = mi mj/(mi + mj)

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Signs, for every law in this folder.
 
    A law gives the energy Phi(r) of two particles (or of a particle and a wall) as a function of

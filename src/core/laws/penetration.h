@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Non-penetration factor (thesis eqs 5.22 and 5.23a) with the dimensionless argument x = r/re:
 
      c(x) = (1 + (1+x)^-m) / (1 - (1+x)^-m) = 1 + 2 / ((1+x)^m - 1)      m = 1, 2, 3, ...

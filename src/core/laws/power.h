@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* x^n for the exponents in use: whole and half numbers by multiplication and one square root, all others
    by exp and log; never pow. Domain x > 0. */
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Regularised granular contact (thesis eqs 5.12 to 5.14), in s = r - r0, r0 = (1 - alpha) dbar, with
    2 delta = alpha dbar the value of s at first contact:
 

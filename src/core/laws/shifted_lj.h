@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Shifted Lennard-Jones (thesis eqs 5.7 to 5.11), in the distance s from the largest admissible co-penetration:
 
      s   = r - r0,  r0 = (1 - alpha) dbar

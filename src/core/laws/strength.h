@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Failure of bonds (thesis 5.2.4): a bond fails when its axial stress reaches its tensile or its compressive strength.
    Strengths are kept as the loads that laws of bonds compute, stresses over E/2, tension positive. */
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Strength that scatters from bond to bond (thesis 5.2.4 names it as future work): the strength of a bond over the
    mean strength, from the IDs of its particles and a seed alone, so that it is the same on every rank, at every
    time and for either order of the two.

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* The truss (thesis eqs 5.19 to 5.21): Green-Lagrange strain of the line of centres.
 
      x   = r / re                                    re = reference length

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Unilateral truss contact (thesis eq. 5.20 with r_infl <= d, see 5.2.3): two particles that are not
    bonded repel like a truss of reference length dref as soon as r < dref, and never attract.
 

@@ -1,3 +1,8 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
 /* Where two particles that approach each other turn back if nothing else acts on them:
 
      Phi(r) = Phi(outer) + kinetic        kinetic: half the reduced mass times the square of the closing speed

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Error against run time: the report of tools/report accuracy.
 
   tools/report accuracy [--short] [--case NAME ...] [--repeats N] [--calculix]

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Where the method breaks, and whether it says so: extreme cases at fractions of their critical step.
 
 Each case runs three times over: adaptively (fix potdem/timestep), which also tells the critical step and the energies; at

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The extreme cases of the stability report: LAMMPS scripts without their time step, and how long they run."""
 
 import math

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What the stability report measures besides its matrix: the critical step of lattices, the order of the adaptive step, long
 runs, places far from the origin, systems of units."""
 

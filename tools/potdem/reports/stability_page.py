@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Writes the stability report: Markdown, CSV and the figure, all from what was measured."""
 
 from collections import Counter

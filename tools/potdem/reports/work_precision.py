@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Work-precision diagrams: points of error against seconds, their Pareto front, what to recommend, a picture."""
 
 from dataclasses import dataclass, field

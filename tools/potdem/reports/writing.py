@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """What the reports write: Markdown tables, CSV, the machine they ran on."""
 
 import csv

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The thesis's claims: what a scene's claims.py measures, and the table of all."""
 
 from dataclasses import dataclass, replace

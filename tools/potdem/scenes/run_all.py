@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Runs every scene, as many runs at once as there are cores, compares each with its reference log, and prints the table of
 the thesis's claims (see examples/run)."""
 

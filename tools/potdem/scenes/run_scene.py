@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Runs a scene's variants, compares each with its reference log and draws its picture (see examples/run)."""
 
 import argparse

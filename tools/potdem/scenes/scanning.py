@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Measures finished runs of a scene, or makes a run for every combination of some variables and measures those."""
 
 import itertools

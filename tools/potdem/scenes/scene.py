@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """A scene: a folder with in.<scene>, scene.yaml, reference logs and perhaps plot.py."""
 
 import functools

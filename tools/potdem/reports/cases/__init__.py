@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """The cases of tools/report accuracy: name -> function of (short, folder) that makes the case."""
 
 from potdem.reports.cases.breaking import beam_impact, cylinder_impact

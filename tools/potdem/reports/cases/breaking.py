@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Bodies that break, beside the same with a sixteenth of a step: trajectories until the first break, then bulk quantities over
 several draws of the diameters."""
 

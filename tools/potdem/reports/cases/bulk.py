@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Errors of bulk quantities of chaotic runs: means over seeds beside the reference's."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Collisions of two grains and of a grain with a wall, against solutions of their equation of motion."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Grains: discharge of the hopper, a bed that comes to rest."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
 """Elastic solids: the struck cantilever beside finite elements, a pulse in a bar beside d'Alembert's solution."""
 
 import shutil
