@@ -155,7 +155,7 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
         sources = [ROOT / "src" / "lammps" / "pair" / "pair_potdem_coeff.h", law_header(kind, name)]
     if kind == "bond":
         bond = ROOT / "src" / "lammps" / "bond"
-        sources = [bond / "bond_potdem.cpp", bond / "potdem_bond_area.cpp", law_header(kind, name)]
+        sources = [bond / "bond_potdem_base.cpp", bond / "potdem_bond_area.cpp", law_header(kind, name)]
     text = "".join(source.read_text() for source in sources)
     keywords = re.findall(r'(?:next_is|option|flag|setting|or_word)\("(\w+)"', text)
     keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file", "auto"] * ("potdem_read_friction(" in text)

@@ -5,8 +5,8 @@
 
 /* The loop over bonds: one atom at a time, its force kept in registers. */
 
-#ifndef LMP_POTDEM_BOND_LOOP_H
-#define LMP_POTDEM_BOND_LOOP_H
+#ifndef LMP_BOND_POTDEM_LOOP_H
+#define LMP_BOND_POTDEM_LOOP_H
 
 #include "lammps/bond/bond_potdem.h"
 #include "lammps/output/fix_potdem_ledger.h"
