@@ -137,3 +137,20 @@ run 3
     assert found[:, 0].tolist() == [0, 2, 2, 2]
     assert found[1:, 1].tolist() == [0, 0, 0]
     assert found[:, 2] == pytest.approx(4 * [-SPRING * STRETCH], rel=1e-9)
+
+
+def test_failure_of_bonds_of_another_style_is_refused(run_lammps):
+    script = scripts.box(20, newton="on off", room=4, bond_types=2) + scripts.particles([(x, 0, 0, 1.0) for x in (-1, 0, 1)])
+    script += """set group all mass 1
+comm_modify vel yes cutoff 8
+create_bonds single/bond 1 1 2
+create_bonds single/bond 2 2 3
+bond_style hybrid potdem/truss bpm/spring break no smooth no
+bond_coeff 1 potdem/truss 1000 area factor 0.5
+bond_coeff 2 bpm/spring 200 5.0 0.0
+special_bonds lj 0 1 1 coul 0 1 1
+fix fail all potdem/failure 2 tension 100
+fix move all nve
+run 0
+"""
+    run_lammps(script, expect_error="Fix potdem/failure fail: bonds of type 2 are of another bond style")

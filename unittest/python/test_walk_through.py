@@ -181,6 +181,19 @@ def test_each_law_of_a_hybrid_fails_by_its_own_fix(bond_law, run_lammps, nprocs)
     assert found[3, 3] == 0.0 and found[3, 4] == 0.0
 
 
+def test_types_that_change_their_law(bond_law, run_lammps):
+    """bond_coeff given again to the other style of hybrid; the lists are new in the step in which a bond goes"""
+    script = start(bond_law) + HYBRID + f"bond_coeff 1 potdem/plastic {E} {YIELD} area factor 0.5\n"
+    script += f"bond_coeff 2 potdem/truss {E} area factor 0.5\nfix fail all potdem/failure 1 compression {0.014 * E}\n"
+    script += "neigh_modify every 1 delay 0 check no\n"
+    for x in (1.05, 0.985):
+        script += both_moved_to(x, "run 3") + scripts.result("bonds", "fx[1]", "fx[3]")
+    found = scripts.results(run_lammps(script).stdout)
+    truss = [scripts.truss_tension(x, SECTION * E) for x in (1.05, 0.985)]
+    assert found[0] == pytest.approx([2, SECTION * YIELD, truss[0]], rel=1e-9)
+    assert found[1] == pytest.approx([1, 0.0, truss[1]], rel=1e-9)
+
+
 # --- a normal law: a linear spring (unittest/walk-through/contact_law.patch) ---------------------------------------------------
 
 contact_law = plugin_of("contact_law")

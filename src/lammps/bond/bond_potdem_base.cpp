@@ -108,7 +108,7 @@ void BondPotdemBase::init_style()
 
   reinit();
   for (int type = 1; type <= atom->nbondtypes; type++)
-    if (setflag[type]) beside[type].area.allow_exchange(history);
+    if (owns(type)) beside[type].area.allow_exchange(history);
   set_communication();
 }
 
@@ -152,7 +152,7 @@ void BondPotdemBase::find_needs()
   any_penetration = damped = false;
   std::vector<double> moduli(atom->nbondtypes + 1, 0.0);
   for (int type = 1; type <= atom->nbondtypes; type++) {
-    if (!setflag[type]) continue;
+    if (!owns(type)) continue;
     make_kernel(type);
     moduli[type] = modulus(type);
     if (has_penetration(type)) any_penetration = true;
@@ -215,6 +215,12 @@ void BondPotdemBase::forget_packed()
 {
   return_state();
   generation = -1;
+}
+
+// its coefficients may have been given to another style of hybrid later
+bool BondPotdemBase::owns(int type) const
+{
+  return type > 0 && setflag[type] && potdem_serves(force, this, type);
 }
 
 double BondPotdemBase::equilibrium_distance(int /*type*/)
@@ -296,7 +302,7 @@ void BondPotdemBase::measure_new_bonds()
 void BondPotdemBase::find_areas()
 {
   for (int type = 1; type <= atom->nbondtypes; type++)
-    if (setflag[type]) beside[type].area.find(lmp, history, style, type);
+    if (owns(type)) beside[type].area.find(lmp, history, style, type);
 }
 
 /* ---------------------------------------------------------------------- */

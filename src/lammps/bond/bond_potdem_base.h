@@ -53,7 +53,7 @@ class BondPotdemBase :
   bool lost_memory() const override { return lost; }
   void return_state() override;
 
-  bool owns(int type) const override { return type > 0 && setflag[type]; }
+  bool owns(int type) const override;
   void follow_lists() override;
   const std::vector<Overstretched> &overstretched() const override { return over; }
   double energy_of_bond(int type, double r2, int i, int j) override;

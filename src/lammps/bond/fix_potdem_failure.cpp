@@ -135,8 +135,8 @@ void FixPotdemFailure::find_bonds()
   if (offered.empty()) error->all(FLERR, "Fix potdem/failure {} needs bond_style potdem/truss", id);
   if (!bonds)
     error->all(FLERR,
-               "Fix potdem/failure {}: bonds of type {} are not those of bond_style potdem/truss: "
-               "give the fix a bond type that is",
+               "Fix potdem/failure {}: bonds of type {} are of another bond style: give the fix a "
+               "bond type of bond_style potdem/truss",
                id, btype);
 }
 

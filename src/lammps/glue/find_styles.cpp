@@ -17,6 +17,10 @@ struct HybridParts : public PairHybrid {
   using PairHybrid::styles;
 };
 
+struct BondHybridParts : public BondHybrid {
+  using BondHybrid::map;
+};
+
 std::vector<std::pair<Pair *, std::string>> LAMMPS_NS::potdem_pair_parts(const Force *force)
 {
   if (!force->pair) return {};
@@ -37,4 +41,12 @@ std::vector<std::pair<Bond *, std::string>> LAMMPS_NS::potdem_bond_parts(const F
   for (int k = 0; k < hybrid->nstyles; k++)
     found.emplace_back(hybrid->styles[k], hybrid->keywords[k]);
   return found;
+}
+
+bool LAMMPS_NS::potdem_serves(const Force *force, const Bond *style, int bond_type)
+{
+  auto *const hybrid = dynamic_cast<BondHybrid *>(force->bond);
+  if (!hybrid) return true;
+  const int part = (hybrid->*&BondHybridParts::map)[bond_type];
+  return part >= 0 && hybrid->styles[part] == style;
 }

@@ -25,6 +25,9 @@ namespace LAMMPS_NS {
 std::vector<std::pair<Pair *, std::string>> potdem_pair_parts(const Force *);
 std::vector<std::pair<Bond *, std::string>> potdem_bond_parts(const Force *);
 
+// whether hybrid, if there is one, gives this style the bonds of this type
+bool potdem_serves(const Force *, const Bond *style, int bond_type);
+
 template <class Offered, class Style>
 void potdem_add_if_offered(std::vector<Offered *> &found, Style *style)
 {

@@ -3,6 +3,8 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
+/* BondPotdem<Law> for the laws of BOND_LAWS: reading their coefficients, and choosing the loop. */
+
 #include "lammps/bond/bond_potdem.h"
 
 #include "lammps/bond/bond_potdem_loop.h"
