@@ -189,7 +189,7 @@ def test_types_that_change_their_law(bond_law, run_lammps):
     for x in (1.05, 0.985):
         script += both_moved_to(x, "run 3") + scripts.result("bonds", "fx[1]", "fx[3]")
     found = scripts.results(run_lammps(script).stdout)
-    truss = [scripts.truss_tension(x, SECTION * E) for x in (1.05, 0.985)]
+    truss = [formulas.truss_tension(x, SECTION * E) for x in (1.05, 0.985)]
     assert found[0] == pytest.approx([2, SECTION * YIELD, truss[0]], rel=1e-9)
     assert found[1] == pytest.approx([1, 0.0, truss[1]], rel=1e-9)
 
