@@ -45,7 +45,7 @@ CommandStyle(potdem_material,PotdemMaterial);
 #define LMP_POTDEM_STYLES_H
 #include "lammps/bond/bond_potdem.h"
 #include "lammps/bond/bond_potdem_omp.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/bond/fix_potdem_failure.h"
 #include "lammps/bond/potdem_bonds.h"
 #include "lammps/glue/fix_potdem_refresh.h"

@@ -7,8 +7,8 @@
 
 #include "core/laws/dashpot.h"
 #include "core/laws/truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
 #include "lammps/glue/find_styles.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/output/fix_potdem_ledger.h"

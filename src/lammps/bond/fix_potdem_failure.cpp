@@ -16,9 +16,9 @@
 #include "lammps/bond/fix_potdem_failure.h"
 
 #include "core/laws/truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
 #include "lammps/bond/potdem_bond_strengths.h"
 #include "lammps/glue/find_styles.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_material_input.h"

@@ -5,7 +5,7 @@
 
 #include "lammps/bond/potdem_body_area.h"
 
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 
 #include "atom.h"
 #include "comm.h"

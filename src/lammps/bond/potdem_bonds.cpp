@@ -6,7 +6,7 @@
 #include "lammps/bond/potdem_bonds.h"
 
 #include "core/laws/truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_input.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/areas/lattice_area.h"
 #include "core/laws/truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 
 #include "atom.h"
 #include "comm.h"

@@ -10,8 +10,8 @@
 
 #include "lammps/output/compute_potdem_piece_atom.h"
 
-#include "lammps/bond/fix_potdem_bond_history.h"
 #include "lammps/glue/find_styles.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 
 #include "atom.h"
 #include "comm.h"

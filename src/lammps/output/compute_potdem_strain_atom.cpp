@@ -13,7 +13,7 @@
 
 #include "core/laws/green_lagrange.h"
 #include "core/laws/truss.h"
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/output/fix_potdem_reference.h"
 

@@ -3,7 +3,7 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-#include "lammps/bond/fix_potdem_bond_history.h"
+#include "lammps/glue/fix_potdem_bond_history.h"
 
 #include "core/laws/truss.h"
 #include "lammps/glue/find_styles.h"
