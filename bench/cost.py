@@ -104,15 +104,15 @@ COMPARED = [
 class Bench:
     """runs each script once a round"""
 
-    def __init__(self, size, steps):
-        self.size, self.steps = size, steps
+    def __init__(self, size, steps, lmp=None):
+        self.size, self.steps, self.lmp = size, steps, lmp
         self.known = {}
 
     def run(self, case):
         """seconds of the loop's parts that count for the case, and the number of bonds, contacts or particles"""
         key = str((case.style, case.variables))
         if key not in self.known:
-            self.known[key] = launch({"style": case.style, **case.variables, "n": self.size, "steps": self.steps})
+            self.known[key] = launch({"style": case.style, **case.variables, "n": self.size, "steps": self.steps}, self.lmp)
         parts, links = self.known[key]
         return sum(parts[part] for part in case.parts), self.size**3 if case.per == "particle" else links
 
@@ -123,11 +123,11 @@ class Bench:
         return 1e9 * (seconds - without) / count / self.steps
 
 
-def launch(variables):
-    """seconds of each part of the loop, and the number in the last column of the thermo output"""
+def launch(variables, lmp=None):
+    """seconds of each part of the loop, and the number in the last column of the thermo output; lmp: if not the build's"""
     given = {name: value for name, value in variables.items() if value != ""}
     with tempfile.TemporaryDirectory() as folder:
-        text = running.must_run(HERE / "in.cost", given, folder).stdout
+        text = running.must_run(HERE / "in.cost", given, folder, lmp=lmp).stdout
     parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
     parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
     return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[-1])
@@ -159,6 +159,23 @@ def report(found, shares):
     return "\n\n".join([*parts, "\n".join([*ratios, f"* pair part of the loop in the intact solid: {spread(shares)} %"])])
 
 
+def against(arguments):
+    """each case with another build's LAMMPS and with ours, in turn: seconds of the parts of the loop that count, ours over theirs"""
+    cases = [case for listed in TABLES.values() for case in listed if "LAMMPS" not in case.name]
+    ratios = {id(case): [] for case in cases}
+    costs = {id(case): [] for case in cases}
+    for number in range(arguments.repeats):
+        for case in cases:
+            benches = [Bench(arguments.size, arguments.steps, lmp) for lmp in (arguments.against / "lmp", None)]
+            seconds = {bench.lmp: bench.run(case)[0] for bench in (benches if number % 2 else benches[::-1])}
+            theirs, ours = seconds[benches[0].lmp], seconds[None]
+            ratios[id(case)].append(ours / theirs)
+            costs[id(case)].append(1e9 * theirs / benches[0].run(case)[1] / arguments.steps)
+        print(f"round {number + 1} of {arguments.repeats} done", file=sys.stderr, flush=True)
+    rows = [(case.name, "+".join(case.parts), spread(costs[id(case)]), spread(ratios[id(case)], 3)) for case in cases]
+    return writing.table(("case", "part of the loop", "theirs, ns each and step", "ours over theirs"), rows)
+
+
 PAGE = """# What each feature costs
 
 Made by `bench/run --page`. {size} particles of [in.cost](../../bench/in.cost), {steps} steps on one core, all cases in turn; median
@@ -177,8 +194,12 @@ def main(argv):
     parser.add_argument("--size", type=int, default=40, help="particles along an edge (default 40: 64 000)")
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--against", type=Path, metavar="BUILD", help="compare with the LAMMPS of another build folder, case by case")
     parser.add_argument("--page", action="store_true", help="for maintainers: write docs/report/cost.md as well")
     arguments = parser.parse_args(argv)
+    if arguments.against:
+        print(against(arguments))
+        return
     machine = writing.table(("machine", ""), writing.machine())
     tables = report(*rounds(arguments))
     print(tables)

@@ -21,7 +21,7 @@ CELLS = {
             np.array([(0, 0, 0), (1 / 2, 1 / 2, 0), (1 / 2, 1 / 6, 1 / 2), (0, 2 / 3, 1 / 2)])),
 }
 
-# design/model.md and the README, with exact critical steps: lattice, r_infl/d, critical step and sqrt(m/K), both times c/d
+# docs/report and the README, with exact critical steps: lattice, r_infl/d, critical step and sqrt(m/K), both times c/d
 CRITICAL_STEPS = [("sc", 1.42, 0.931, 1.447), ("sc", 1.75, 0.840, 1.499), ("sc", 2.00, 1.193, 2.128), ("sc", 2.50, 1.579, 3.674),
                   ("fcc", 1.00, 0.577, 0.816), ("fcc", 1.42, 0.910, 1.498), ("fcc", 2.00, 1.120, 2.449)]
 

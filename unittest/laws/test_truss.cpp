@@ -158,7 +158,7 @@ long double energy_integral(double x, int m)
   return stretched ? sum : -sum;
 }
 
-// design/model.md: the energy to 1e-10 relative
+// what penetration.h promises: the energy to 1e-10 relative
 TEST(Penetration, EnergyIsTheIntegralOfTheForce)
 {
   for (const int m : exponents)

@@ -215,19 +215,23 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
 
 /* ---------------------------------------------------------------------- */
 
+// the smallest kernel that the keywords need
 template <class Wall, class Tangential>
 void FixPotdemWallRegion::choose(const Wall &wall, const Tangential &rough)
 {
-  rotation ? push_all<true>(wall, rough) : push_all<false>(wall, rough);
+  if constexpr (std::is_same_v<Tangential, POTDEM::Frictionless>)
+    ledger || wall.rate.active() ? push_all<false, true>(wall, rough)
+                                 : push_all<false, false>(wall, rough);
+  else
+    rotation ? push_all<true, true>(wall, rough) : push_all<false, true>(wall, rough);
 }
 
-// friction comes after the normal forces of all faces: it may have to balance them
-template <bool SPIN, class Wall, class Tangential>
+// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+template <bool SPIN, bool MOVE, class Wall, class Tangential>
 void FixPotdemWallRegion::push_all(const Wall &wall, const Tangential &rough)
 {
   constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  const bool need_motion = SLIDE || ledger || wall.rate.active();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
@@ -240,10 +244,8 @@ void FixPotdemWallRegion::push_all(const Wall &wall, const Tangential &rough)
                  id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
     touches.clear();
     for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
-      Touch touch{};
-      const bool touched = need_motion ? normal_force<true>(i, face, wall, touch)
-                                       : normal_force<false>(i, face, wall, touch);
-      if (touched) touches.push_back(touch);
+      Touch touch;
+      if (normal_force<MOVE>(i, face, wall, touch) && SLIDE) touches.push_back(touch);
     }
     if constexpr (SLIDE) add_friction<SPIN>(i, rough);
   }
@@ -271,7 +273,7 @@ POTDEM::ContactMotion FixPotdemWallRegion::motion(int i, const PotdemWallSurface
   return found;
 }
 
-template <bool NEED_MOTION, class Wall>
+template <bool MOVE, class Wall>
 bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &wall,
                                        Touch &touch)
 {
@@ -286,12 +288,19 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
                "distance {} of the law; use a smaller timestep or a law that pushes harder",
                id, atom->tag[i], r, update->ntimestep, hard_core);
   MathExtra::copy3(face.n, touch.n);
-  MathExtra::scale3(r, face.n, touch.motion.del);
-  touch.motion.r = r;
   touch.key = face.key;
-  if (NEED_MOTION) touch.motion = motion(i, face, touch.wall);
+  if constexpr (MOVE)
+    touch.motion = motion(i, face, touch.wall);
+  else
+    MathExtra::scale3(r, face.n, touch.motion.del);
+  const auto rate = [&wall] {
+    if constexpr (MOVE)
+      return wall.rate;
+    else
+      return POTDEM::Elastic();
+  }();
   const auto found = POTDEM::contact_forces<false>(
-      wall.kernel, r, geometry, 1.0, wall.rate, POTDEM::Frictionless(), nullptr, false, 1.0,
+      wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false, 1.0,
       [&touch] {
         return touch.motion;
       },
@@ -304,16 +313,19 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
     suspect(i, hard_core > 0.0 ? 1.0 : r / ri, touch.stiffness);
   double f[3];
   for (int k = 0; k < 3; k++) f[k] = touch.normal * touch.n[k];
-  if (ledger) {
-    const double viscous = found.viscous, *n = touch.n;
-    const double along = MathExtra::dot3(n, touch.wall);
-    ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
-    ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
-    ledger->add_wall(touch.normal * along);
-  }
+  if (MOVE && ledger) note(i, touch, found.viscous);
   mine[0] += found.elastic.energy;
   add(i, touch, f);
   return true;
+}
+
+// the normal force in the ledger, `viscous` of it without a potential
+void FixPotdemWallRegion::note(int i, const Touch &touch, double viscous) const
+{
+  const double *n = touch.n, along = MathExtra::dot3(n, touch.wall);
+  ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
+  ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
+  ledger->add_wall(touch.normal * along);
 }
 
 // a particle too deep in the wall or, with a law that has no depth to lose, too stiff for the step
@@ -379,6 +391,7 @@ void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
     if (hold) hold_at_rest<SPIN>(i, rough);
   }
   for (auto &touch : touches) {
+    if (!hold) MathExtra::zero3(touch.drag);
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
     if (!hold) {

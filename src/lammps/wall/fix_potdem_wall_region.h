@@ -95,12 +95,13 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
 
   template <bool MOTION> void act(int vflag);
   template <class Wall, class Tangential> void choose(const Wall &, const Tangential &);
-  template <bool SPIN, class Wall, class Tangential>
+  template <bool SPIN, bool MOVE, class Wall, class Tangential>
   void push_all(const Wall &, const Tangential &);
-  template <bool NEED_MOTION, class Wall>
+  template <bool MOVE, class Wall>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, Touch &);
   template <bool SPIN, class Tangential> void add_friction(int i, const Tangential &);
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
+  void note(int i, const Touch &, double viscous) const;
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);
