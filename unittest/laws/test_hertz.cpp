@@ -16,7 +16,7 @@ namespace {
 
 Hertz hertz_of(double E, double nu)
 {
-  Hertz law{E, nu, 0.0};
+  Hertz law{E, nu, 0.0, 0.0};
   law.complete();
   return law;
 }

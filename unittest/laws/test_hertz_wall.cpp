@@ -20,7 +20,7 @@ struct Case {
 };
 HertzWall::Kernel wall(const Case &c)
 {
-  return {modulus, c.layer, c.m};
+  return {modulus, c.layer, c.m, 0.0};
 }
 
 const Case cases[] = {{0.0, 2.0}, {0.1, 1.0}, {0.1, 2.0}, {0.1, 3.0}, {0.4, 2.5}};

@@ -48,15 +48,12 @@ struct ContactForces {
 template <bool SPIN>
 POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses,
                                       double spin_share, double normal, double stiffness,
-                                      bool advance)
+                                      double shear_ratio, bool advance)
 {
-  Slide slide{{},
-              {at.del[0] / at.r, at.del[1] / at.r, at.del[2] / at.r},
-              normal,
-              stiffness,
-              spin_share * masses.effective,
-              masses.step,
-              masses.dt,
+  Slide slide{{},          {at.del[0] / at.r, at.del[1] / at.r, at.del[2] / at.r},
+              normal,      stiffness,
+              shear_ratio, spin_share * masses.effective,
+              masses.step, masses.dt,
               advance};
   sliding_velocity<SPIN>(at, slide.u);
   return slide;
@@ -81,8 +78,9 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
   found.normal = weight * normal;
   if constexpr (!std::is_same_v<Tangential, Frictionless>)
     if (found.normal > 0.0 && tangential.mu > 0.0) {
-      const auto slide = slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
-                                        weight * found.elastic.stiffness, advance);
+      const auto slide =
+          slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
+                         weight * found.elastic.stiffness, shear_ratio_of(kernel, 0), advance);
       tangential.force(slide, state, found.friction);
     }
   return found;
@@ -110,6 +108,7 @@ POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geom
                         {n[0], n[1], n[2]},
                         weight * law.force,
                         weight * law.stiffness,
+                        shear_ratio_of(kernel, 0),
                         spin_share * masses.effective,
                         masses.step,
                         masses.dt,

@@ -29,6 +29,14 @@ POTDEM_FUNCTION inline double contact_modulus(double Ei, double nui, double Ej, 
   return 1.0 / ((1.0 - nui * nui) / Ei + (1.0 - nuj * nuj) / Ej);
 }
 
+// 4 G* / Ebar, of the tangential stiffness to the normal one (Mindlin)
+inline double shear_ratio(double Ei, double nui, double Ej, double nuj)
+{
+  const double compliance =
+      2.0 * (2.0 - nui) * (1.0 + nui) / Ei + 2.0 * (2.0 - nuj) * (1.0 + nuj) / Ej;
+  return 4.0 / (compliance * contact_modulus(Ei, nui, Ej, nuj));
+}
+
 // w^(3/2) law with prefactor K
 POTDEM_FUNCTION inline Evaluation hertz(double w, double K)
 {
@@ -40,7 +48,7 @@ struct Hertz {
   static constexpr bool contact_only = true, rate_dependent = true;
 
   double E, nu;
-  double modulus;    // Ebar
+  double modulus, shear;    // Ebar; 4 G* / Ebar
 
   static constexpr auto coefficients()
   {
@@ -48,19 +56,25 @@ struct Hertz {
                       required("nu", &Hertz::nu, poisson_ratio(), "1").from(FROM_MATERIAL)};
   }
 
-  void complete() { modulus = contact_modulus(E, nu, E, nu); }
+  void complete()
+  {
+    modulus = contact_modulus(E, nu, E, nu);
+    shear = shear_ratio(E, nu, E, nu);
+  }
 
-  // 5.15b, kept as two equal materials with that contact modulus
+  // 5.15b, kept as two equal materials of that contact modulus and shear ratio 2 (1 - nu)/(2 - nu)
   static Hertz mixed(const Hertz &a, const Hertz &b)
   {
     const double modulus = contact_modulus(a.E, a.nu, b.E, b.nu);
-    return {2.0 * modulus, 0.0, modulus};
+    const double shear = shear_ratio(a.E, a.nu, b.E, b.nu);
+    const double nu = (2.0 - 2.0 * shear) / (2.0 - shear);
+    return {2.0 * modulus * (1.0 - nu * nu), nu, modulus, shear};
   }
 
   POTDEM_FUNCTION static double reach(double dbar) { return dbar; }
 
   struct Kernel {
-    double modulus;
+    double modulus, shear_ratio;
 
     template <class Geometry> POTDEM_FUNCTION static constexpr double hard_core(const Geometry &)
     {
@@ -75,7 +89,7 @@ struct Hertz {
     }
   };
 
-  Kernel kernel(bool /*shift*/) const { return {modulus}; }
+  Kernel kernel(bool /*shift*/) const { return {modulus, shear}; }
 };
 
 }    // namespace POTDEM

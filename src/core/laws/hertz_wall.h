@@ -30,7 +30,7 @@ struct HertzWall {
   double E, nu, particle_E, particle_nu;
   double layer = LAYER;    // gamma / ri, 0: no layer
   double m = LAYER_EXPONENT;
-  double modulus = 0.0;    // Ebar
+  double modulus = 0.0, shear = 0.0;    // Ebar; 4 G* / Ebar
 
   static constexpr auto coefficients()
   {
@@ -51,12 +51,16 @@ struct HertzWall {
         continued_by("layer", "m", &Law::m, at_least(1.0), "1")};
   }
 
-  void complete() { modulus = contact_modulus(particle_E, particle_nu, E, nu); }
+  void complete()
+  {
+    modulus = contact_modulus(particle_E, particle_nu, E, nu);
+    shear = shear_ratio(particle_E, particle_nu, E, nu);
+  }
 
   POTDEM_FUNCTION double reach(double ri) const { return ri + layer * ri; }
 
   struct Kernel {
-    double modulus, layer, m;
+    double modulus, layer, m, shear_ratio;
 
     POTDEM_FUNCTION static constexpr double hard_core(const WallGeometry &) { return 0.0; }
 
@@ -93,7 +97,7 @@ struct HertzWall {
     }
   };
 
-  Kernel kernel(bool /*shift*/) const { return {modulus, layer, m}; }
+  Kernel kernel(bool /*shift*/) const { return {modulus, layer, m, shear}; }
 };
 
 }    // namespace POTDEM

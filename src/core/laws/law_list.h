@@ -9,9 +9,11 @@
 #define POTDEM_LAW_LIST_H
 
 #include "hertz.h"
+#include "mindlin.h"
 #include "regularised_granular.h"
 #include "shifted_lj.h"
 #include "sliding.h"
+#include "tangential_spring.h"
 #include "truss.h"
 #include "truss_contact.h"
 
@@ -30,7 +32,9 @@
 
 // X(Law): 'friction mu KEYWORD ...' of both; the first has no keyword
 #define TANGENTIAL_LAWS(X) \
-  X(Sliding)
+  X(Sliding) \
+  X(Mindlin) \
+  X(TangentialSpring)
 
 // clang-format on
 

@@ -9,13 +9,18 @@
      STATE                              numbers that it keeps per contact, 0 at first touch
      force(slide, state, f)             the force f on the first particle (LAMMPS's sign), and what it remembers
      turn(state)                        (if STATE > 0) what the second particle would remember
+     energy(state)                      (if STATE > 0) what can be had back
      viscosity(slide)                   the largest force over the velocity of the surface, for the critical step
-     stiffness(slide)                   (if STATE > 0) the largest force over its displacement, likewise */
+     stiffness(slide)                   (if STATE > 0) the largest force over its displacement, likewise
+     needs_shear_ratio                  (if so) it is for normal laws that know the shear modulus: Kernel has shear_ratio */
 
 #ifndef POTDEM_SLIDE_H
 #define POTDEM_SLIDE_H
 
 #include "device.h"
+
+#include <type_traits>
+#include <utility>
 
 namespace POTDEM {
 
@@ -24,11 +29,28 @@ struct Slide {
   double n[3];         // from the second to the first
   double normal;       // force, > 0
   double stiffness;    // of the normal force
-  double mass;         // that a force at the surface accelerates there
-  double step;         // in which mass over it is force over velocity
-  double dt;           // time of a step
-  bool advance;        // a step has been made: state may change
+  double
+      shear_ratio;    // of the tangential stiffness to the normal one, by the elasticity of both; 0: not known
+  double mass;     // that a force at the surface accelerates there
+  double step;     // in which mass over it is force over velocity
+  double dt;       // time of a step
+  bool advance;    // a step has been made: state may change
 };
+
+// of a normal law's kernel; 0: it does not know
+template <class Kernel>
+POTDEM_FUNCTION auto shear_ratio_of(const Kernel &kernel, int) -> decltype(kernel.shear_ratio + 0.0)
+{
+  return kernel.shear_ratio;
+}
+template <class Kernel> POTDEM_FUNCTION double shear_ratio_of(const Kernel &, long)
+{
+  return 0.0;
+}
+
+template <class Kernel>
+auto knows_shear_ratio(int) -> decltype(std::declval<Kernel>().shear_ratio, std::true_type());
+template <class Kernel> std::false_type knows_shear_ratio(long);
 
 // of a particle that spins, over m r^2: a solid sphere, a disc
 constexpr double SPHERE_INERTIA = 0.4, DISC_INERTIA = 0.5;

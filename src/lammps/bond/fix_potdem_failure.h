@@ -28,8 +28,7 @@ class FixPotdemFailure :
   int setmask() override;
   void init() override;
   void give_strengths_to(class BondStrengths &) const override;
-  Term energy_term() const override { return FRACTURE; }
-  double energy() override { return lost_energy; }
+  void add_energy_to(PotdemEnergies &all) override { all.fracture += lost_energy; }
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;

@@ -35,12 +35,16 @@ class ForceAmplifier : public Interface {
   virtual bool amplifies(int i) const = 0;    // force on particle i
 };
 
-// keeps a part of the energy that neither the pair nor the bond style tallies; joules since the first run, or now
+// energy that is not in what pair and bond style tally, over all ranks
+struct PotdemEnergies {
+  double walls = 0.0;
+  double fracture = 0.0;    // lost since the first run
+  double springs = 0.0;     // of friction that remembers
+};
+
 class EnergySource : public Interface {
  public:
-  enum Term { WALLS, FRACTURE };
-  virtual Term energy_term() const = 0;
-  virtual double energy() = 0;    // over all ranks
+  virtual void add_energy_to(PotdemEnergies &) = 0;
 };
 
 // reaches as far as its particles are large

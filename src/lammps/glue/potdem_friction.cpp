@@ -85,6 +85,35 @@ int LAMMPS_NS::potdem_friction_state(const PotdemFriction &friction)
       friction);
 }
 
+template <class Law>
+static auto needs_shear_ratio(const Law &, int) -> decltype(Law::needs_shear_ratio, true)
+{
+  return Law::needs_shear_ratio;
+}
+template <class Law> static bool needs_shear_ratio(const Law &, long)
+{
+  return false;
+}
+
+bool LAMMPS_NS::potdem_friction_needs_shear_ratio(const PotdemFriction &friction)
+{
+  return std::visit(
+      [](const auto &law) {
+        return needs_shear_ratio(law, 0);
+      },
+      friction);
+}
+
+double LAMMPS_NS::potdem_friction_energy(const PotdemFriction &friction, const double *state)
+{
+  return std::visit(
+      [state](const auto &law) {
+        if constexpr (std::decay_t<decltype(law)>::STATE > 0) return law.energy(state);
+        return 0.0;
+      },
+      friction);
+}
+
 bool LAMMPS_NS::potdem_mix_friction(const PotdemFriction &a, const PotdemFriction &b,
                                     PotdemFriction &mixed)
 {

@@ -43,6 +43,20 @@ double *potdem_friction_coefficient(PotdemFriction &,
 bool potdem_friction_is_auto(const PotdemFriction &);
 int potdem_friction_state(const PotdemFriction &);    // numbers that it keeps per contact
 
+bool potdem_friction_needs_shear_ratio(const PotdemFriction &);
+double potdem_friction_energy(const PotdemFriction &, const double *state);
+
+// error if it needs what this normal law does not know
+template <class Law> void potdem_check_friction(PotdemInput &input, const PotdemFriction &friction)
+{
+  using Kernel = typename Law::Kernel;
+  constexpr bool knows =
+      std::is_same_v<decltype(POTDEM::knows_shear_ratio<Kernel>(0)), std::true_type>;
+  if (!knows && potdem_friction_needs_shear_ratio(friction))
+    input.fail("friction mindlin is for Hertz, whose materials have a Poisson's ratio; use "
+               "friction mu spring ratio");
+}
+
 // of two materials. A law without friction goes with any other; different laws cannot be mixed: false
 bool potdem_mix_friction(const PotdemFriction &, const PotdemFriction &, PotdemFriction &mixed);
 

@@ -83,8 +83,8 @@ double ComputePotdemEnergy::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
   if (invoked_vector != invoked_scalar) compute_vector();
-  scalar = -vector[WALL_WORK];
-  for (int term = 0; term < WALL_WORK; term++) scalar += vector[term];
+  scalar = -2.0 * vector[WALL_WORK];
+  for (int term = 0; term < NTERMS; term++) scalar += vector[term];
   return scalar;
 }
 
@@ -105,10 +105,14 @@ void ComputePotdemEnergy::compute_vector()
   vector[BONDS] = all[1];
   vector[CONTACTS] = all[2];
   vector[GRAVITY] = of_gravity();
-  vector[WALLS] = vector[FRACTURE] = 0.0;
-  for (auto *const source : potdem_find<EnergySource>(lmp))
-    vector[source->energy_term() == EnergySource::WALLS ? WALLS : FRACTURE] += source->energy();
-  vector[FRICTION] = ledger()->heat(FixPotdemLedger::FRICTION);
+  PotdemEnergies kept;
+  for (auto *const source : potdem_find<EnergySource>(lmp)) source->add_energy_to(kept);
+  vector[WALLS] = kept.walls;
+  vector[FRACTURE] = kept.fracture;
+  vector[SPRINGS] = kept.springs;
+  // what friction took, less what its springs have of it
+  vector[FRICTION] =
+      ledger()->heat(FixPotdemLedger::FRICTION) - (kept.springs - ledger()->springs_then());
   vector[VISCOUS] = ledger()->heat(FixPotdemLedger::VISCOUS);
   vector[DAMPING] = ledger()->heat(FixPotdemLedger::DAMPING);
   vector[WALL_WORK] = ledger()->wall_work();

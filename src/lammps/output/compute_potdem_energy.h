@@ -30,6 +30,7 @@ class ComputePotdemEnergy : public Compute {
     VISCOUS,
     DAMPING,
     WALL_WORK,
+    SPRINGS,
     NTERMS
   };
 

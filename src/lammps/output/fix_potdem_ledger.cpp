@@ -5,6 +5,8 @@
 
 #include "lammps/output/fix_potdem_ledger.h"
 
+#include "lammps/glue/find_styles.h"
+#include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"
 
 #include "atom.h"
@@ -26,7 +28,8 @@ FixPotdemLedger *FixPotdemLedger::find(LAMMPS *lmp)
 }
 
 FixPotdemLedger::FixPotdemLedger(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), step(0.0), booked(), rate()
+    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), step(0.0), booked(), rate(),
+    begun(false), springs(0.0)
 {
   comm_reverse = WIDTH;
   restart_global = 1;
@@ -60,6 +63,12 @@ void FixPotdemLedger::pre_force(int /*vflag*/)
 
 void FixPotdemLedger::setup(int /*vflag*/)
 {
+  if (!begun) {
+    PotdemEnergies kept;
+    for (auto *const source : potdem_find<EnergySource>(lmp)) source->add_energy_to(kept);
+    springs = kept.springs;
+    begun = true;
+  }
   rate = powers();
 }
 
@@ -110,17 +119,26 @@ double FixPotdemLedger::memory_usage()
   return static_cast<double>(forces.capacity() * sizeof(forces[0]));
 }
 
+// files from before there were springs begin with the heat of friction, which is not negative
+static constexpr double RESTART_VERSION = -2.0;
+
 void FixPotdemLedger::write_restart(FILE *fp)
 {
-  const int size = sizeof(booked);
-  if (comm->me == 0) {
-    fwrite(&size, sizeof(int), 1, fp);
-    fwrite(booked.data(), size, 1, fp);
-  }
+  if (comm->me != 0) return;
+  const double head[2] = {RESTART_VERSION, springs};
+  const int size = sizeof(head) + sizeof(booked);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(head, sizeof(head), 1, fp);
+  fwrite(booked.data(), sizeof(booked), 1, fp);
 }
 
 void FixPotdemLedger::restart(char *buf)
 {
-  const auto values = reinterpret_cast<const double *>(buf);
+  const double *values = reinterpret_cast<const double *>(buf);
+  if (values[0] == RESTART_VERSION) {
+    springs = values[1];
+    values += 2;
+  }
   std::copy(values, values + booked.size(), booked.begin());
+  begun = true;
 }

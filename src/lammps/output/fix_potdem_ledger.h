@@ -58,6 +58,7 @@ class FixPotdemLedger : public Fix {
   // totals over all ranks
   double heat(Kind kind) const { return booked[kind]; }
   double wall_work() const { return booked[NKINDS]; }
+  double springs_then() const { return springs; }    // energy of the springs when it began
 
  private:
   static constexpr int WIDTH = 3 * NKINDS + 3;
@@ -66,6 +67,8 @@ class FixPotdemLedger : public Fix {
   double wall_power, slip_power[NKINDS];
   double step;    // that is being done: a fix may change the next one before this is booked
   std::array<double, NKINDS + 1> booked, rate;    // rate: power of the latest step
+  bool begun;
+  double springs;
 
   void add(double &sum, double part) const
   {

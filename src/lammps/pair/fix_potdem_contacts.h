@@ -48,6 +48,7 @@ class FixPotdemContacts : public FixNeighHistory {
   void expect(const std::vector<PotdemNewContact> &);
 
   bool any() const { return remembering > 0 || dnum > 1; }
+  bool has_state() const { return dnum > 1; }
   // of the pair in place jj of the list of particle i: the distance, then the state. Null: it remembers nothing
   const double *memory(int i, int jj) const
   {

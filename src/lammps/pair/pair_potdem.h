@@ -46,6 +46,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void *extract(const char *, int &) override;
   void transfer_history(double *, double *, int, int) override;
   void add_stiffness_to(class PotdemStiffness &, double ahead) override;
+  void add_energy_to(PotdemEnergies &) override;
 
  protected:
   using Rate = std::conditional_t<Law::rate_dependent, POTDEM::Viscous, POTDEM::Elastic>;

@@ -24,6 +24,7 @@ namespace LAMMPS_NS {
 class PairPotdemBase :
     public PotdemCompat::PairWithCutoffsBySize,
     public StiffnessSource,
+    public EnergySource,
     public SizedReach,
     public ContactMemory,
     public MonitorUser {

@@ -137,6 +137,7 @@ template <class Law> void PairPotdem<Law>::read(PotdemMaterialInput &input, int 
       input.unknown(names.empty() ? "friction" : names + " or friction");
     }
   }
+  potdem_check_friction<Law>(input, friction[pair]);
   laws[pair] = law;
   rates[pair] = rate;
 }

@@ -11,6 +11,7 @@
 #include "core/stability/turning_point.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
+#include "lammps/pair/fix_potdem_contacts.h"
 #include "lammps/pair/pair_potdem.h"
 
 #include "atom.h"
@@ -202,6 +203,26 @@ template <class Law> void PairPotdem<Law>::add_stiffness_to(PotdemStiffness &sum
         sum.add_pair(i, j, force->newton_pair || j < atom->nlocal, spring(i, j, state, r, weight));
     }
   }
+}
+
+// of springs: both ranks have a pair of two ranks in their lists, unless newton is on
+template <class Law> void PairPotdem<Law>::add_energy_to(PotdemEnergies &all)
+{
+  if (!contacts || !contacts->has_state()) return;
+  double mine = 0.0, over_ranks;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const double *const memory = contacts->memory(i, jj);
+      if (!memory) continue;
+      const double share = force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
+      const auto &rough = friction[at(atom->type[i], atom->type[j])];
+      mine += share * potdem_friction_energy(rough, memory + 1);
+    }
+  }
+  MPI_Allreduce(&mine, &over_ranks, 1, MPI_DOUBLE, MPI_SUM, world);
+  all.springs += over_ranks;
 }
 
 // of two particles that approach each other and touch within a time, where they turn back

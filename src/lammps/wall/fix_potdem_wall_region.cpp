@@ -93,6 +93,7 @@ template <class Law> void FixPotdemWallRegion::read_wall(PotdemMaterialInput &in
   while (!input.done())
     if (!potdem_read_option(input, of_law) && !potdem_read_option(input, of_rate))
       read_common(input, names.empty() ? "friction" : names + ", friction");
+  potdem_check_friction<Law>(input, friction);
   wall.kernel = wall.law.kernel(false);
   law = wall;
 }
@@ -309,6 +310,7 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
       });
   touch.normal = found.normal;
   touch.stiffness = found.elastic.stiffness;
+  touch.shear_ratio = POTDEM::shear_ratio_of(wall.kernel, 0);
   if (touch.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
     suspect(i, hard_core > 0.0 ? 1.0 : r / ri, touch.stiffness);
   double f[3];
@@ -396,9 +398,9 @@ void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
     if (!hold) {
       const auto masses = masses_of(i);
-      const auto slide =
-          POTDEM::slide_of<SPIN>(touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]),
-                                 touch.normal, touch.stiffness, !update->setupflag);
+      const auto slide = POTDEM::slide_of<SPIN>(
+          touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]), touch.normal,
+          touch.stiffness, touch.shear_ratio, !update->setupflag);
       if (touch.normal > 0.0) rough.force(slide, state, touch.drag);
     }
     add(i, touch, touch.drag);
@@ -519,6 +521,19 @@ double FixPotdemWallRegion::sum(int n)
   if (!summed) MPI_Allreduce(mine, total, 7, MPI_DOUBLE, MPI_SUM, world);
   summed = true;
   return total[n];
+}
+
+void FixPotdemWallRegion::add_energy_to(PotdemEnergies &all)
+{
+  all.walls += compute_scalar();
+  if (!memory) return;
+  double stored = 0.0, over_ranks;
+  for (int i = 0; i < atom->nlocal; i++)
+    memory->for_each(i, [this, &stored](const double *state) {
+      stored += potdem_friction_energy(friction, state);
+    });
+  MPI_Allreduce(&stored, &over_ranks, 1, MPI_DOUBLE, MPI_SUM, world);
+  all.springs += over_ranks;
 }
 
 double FixPotdemWallRegion::compute_scalar()

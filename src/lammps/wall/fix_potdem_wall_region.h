@@ -53,8 +53,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   double compute_vector(int) override;
 
   void add_stiffness_to(class PotdemStiffness &, double ahead) override;
-  Term energy_term() const override { return WALLS; }
-  double energy() override { return compute_scalar(); }
+  void add_energy_to(PotdemEnergies &) override;
 
  private:
   // a particle that touches a face
@@ -62,7 +61,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
     POTDEM::ContactMotion
         motion;    // del: off the wall, from the foot on the surface to the centre
     double n[3];
-    double normal, stiffness;
+    double normal, stiffness, shear_ratio;
     double wall[3];    // velocity of the surface at the foot
     double drag[3];    // friction
     int key;           // of the face

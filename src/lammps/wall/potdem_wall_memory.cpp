@@ -41,9 +41,14 @@ void PotdemWallMemory::init()
                id_owner, id);
 }
 
+double *PotdemWallMemory::at(int i) const
+{
+  return store->astore[i];
+}
+
 double *PotdemWallMemory::of_face(int i, int key)
 {
-  double *const places = store->astore[i];
+  double *const places = at(i);
   int place = faces;
   for (int k = 0; k < faces; k++) {
     const int there = static_cast<int>(places[k * width]);
@@ -67,7 +72,7 @@ double *PotdemWallMemory::of_face(int i, int key)
 
 void PotdemWallMemory::forget_others(int i)
 {
-  double *const places = store->astore[i];
+  double *const places = at(i);
   for (int k = 0; k < faces; k++) {
     if (!touched[k]) places[k * width] = 0.0;
     touched[k] = false;

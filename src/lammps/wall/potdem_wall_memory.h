@@ -25,13 +25,21 @@ class PotdemWallMemory : protected Pointers {
   void init();    // error if the fix that keeps it was removed
 
   double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
-  void forget_others(int i);          // faces that of_face() was not asked for since the last time
+  template <class Action> void for_each(int i, const Action &act) const    // what it remembers
+  {
+    const double *const places = at(i);
+    for (int k = 0; k < faces; k++)
+      if (places[k * width] != 0.0) act(places + k * width + 1);
+  }
+  void forget_others(int i);    // faces that of_face() was not asked for since the last time
 
  private:
   std::string id, id_owner;
   int faces, width;
   class FixStoreAtom *store;
   std::vector<bool> touched;
+
+  double *at(int i) const;
 };
 
 }    // namespace LAMMPS_NS

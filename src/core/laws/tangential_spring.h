@@ -1,0 +1,127 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+/* Friction that remembers (Cundall and Strack, 1979): what touches sticks together by a spring in the plane of contact, which
+   carries mu times the normal force at most.
+
+     dT/dt = -k u        |T| <= mu F        u: sliding velocity, F: normal force, k = ratio * dF/dw
+     force = T - c u, c = 2 xi sqrt(k m)    with |force| <= mu F        m: mass that resists at the surface
+
+   A contact keeps T and the k for which it holds. T turns with the plane of contact. Where k falls, as it does when the normal
+   force of Hertz falls, T falls as k does: the displacement T/k stays, and no energy is made (Thornton, Cummins and Cleary,
+   2013). Where k grows T stays. The spring has the energy T^2/(2 k); sliding dissipates, and so does c.
+
+   friction mu spring ratio [damping xi]
+   ratio > 0: of the tangential stiffness to the normal one (2/3 to 1 for solids); xi >= 0: fraction of critical damping. */
+
+#ifndef POTDEM_TANGENTIAL_SPRING_H
+#define POTDEM_TANGENTIAL_SPRING_H
+
+#include "coefficients.h"
+#include "device.h"
+#include "slide.h"
+
+#include <cmath>
+
+namespace POTDEM {
+
+// what a contact keeps: T, k
+struct SlipSpring {
+  static constexpr int STATE = 4;
+
+  double k, mu, xi;
+
+  POTDEM_FUNCTION static double length(const double *a)
+  {
+    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  }
+
+  POTDEM_FUNCTION double viscosity(const Slide &at) const
+  {
+    return 2.0 * xi * std::sqrt(k * at.mass);
+  }
+
+  // the elastic part in the present plane of contact, for the present stiffness
+  POTDEM_FUNCTION void turned(const Slide &at, const double *state, double *T) const
+  {
+    const double before = length(state);
+    const double out = state[0] * at.n[0] + state[1] * at.n[1] + state[2] * at.n[2];
+    for (int c = 0; c < 3; c++) T[c] = state[c] - out * at.n[c];
+    const double left = length(T);
+    if (left == 0.0) return;
+    const double scale = before / left * (k < state[3] ? k / state[3] : 1.0);
+    for (int c = 0; c < 3; c++) T[c] *= scale;
+  }
+
+  POTDEM_FUNCTION static void limit(double *T, double most)
+  {
+    const double size = length(T);
+    if (size <= most) return;
+    for (int c = 0; c < 3; c++) T[c] *= most / size;
+  }
+
+  POTDEM_FUNCTION void force(const Slide &at, double *state, double *f) const
+  {
+    const double most = mu * at.normal, c = xi > 0.0 ? viscosity(at) : 0.0;
+    double T[3];
+    turned(at, state, T);
+    for (int d = 0; d < 3 && at.advance; d++) T[d] -= k * at.u[d] * at.dt;
+    limit(T, most);
+    for (int d = 0; d < 3; d++) f[d] = T[d] - c * at.u[d];
+    if (c > 0.0) limit(f, most);
+    if (!at.advance) return;
+    for (int d = 0; d < 3; d++) state[d] = T[d];
+    state[3] = k;
+  }
+
+  // as the second particle sees it
+  POTDEM_FUNCTION static void turn(double *state)
+  {
+    for (int c = 0; c < 3; c++) state[c] = -state[c];
+  }
+
+  POTDEM_FUNCTION static double energy(const double *state)
+  {
+    if (state[3] == 0.0) return 0.0;
+    return 0.5 * (state[0] * state[0] + state[1] * state[1] + state[2] * state[2]) / state[3];
+  }
+};
+
+struct TangentialSpring {
+  static constexpr int STATE = SlipSpring::STATE;
+  static constexpr const char *keyword = "spring";
+
+  double mu = 0.0, ratio = 0.0, xi = 0.0;
+
+  static constexpr auto coefficients()
+  {
+    using Law = TangentialSpring;
+    return std::array{
+        required("mu", &Law::mu, nonnegative(), "1"),
+        required("ratio", &Law::ratio, positive(), "1").called("friction spring ratio"),
+        option("damping", "xi", &Law::xi, nonnegative(), "1")};
+  }
+
+  // the more slippery material decides; springs in series
+  static TangentialSpring mixed(const TangentialSpring &a, const TangentialSpring &b)
+  {
+    return {std::fmin(a.mu, b.mu), 2.0 * a.ratio * b.ratio / (a.ratio + b.ratio),
+            0.5 * (a.xi + b.xi)};
+  }
+
+  POTDEM_FUNCTION SlipSpring at(const Slide &slide) const { return {stiffness(slide), mu, xi}; }
+  POTDEM_FUNCTION void force(const Slide &slide, double *state, double *f) const
+  {
+    at(slide).force(slide, state, f);
+  }
+  POTDEM_FUNCTION static void turn(double *state) { SlipSpring::turn(state); }
+  POTDEM_FUNCTION static double energy(const double *state) { return SlipSpring::energy(state); }
+  POTDEM_FUNCTION double viscosity(const Slide &slide) const { return at(slide).viscosity(slide); }
+  POTDEM_FUNCTION double stiffness(const Slide &slide) const { return ratio * slide.stiffness; }
+};
+
+}    // namespace POTDEM
+
+#endif
