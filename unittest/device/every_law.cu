@@ -154,6 +154,11 @@ template <class Kernel> auto for_device(Kernel kernel, int) -> decltype(kernel.f
   kernel.factor.use(copy);
   return kernel;
 }
+template <class Kernel> auto for_device(Kernel kernel, int) -> decltype(kernel.truss, Kernel())
+{
+  kernel.truss = for_device(kernel.truss, 0);
+  return kernel;
+}
 template <class Kernel> Kernel for_device(Kernel kernel, long)
 {
   return kernel;
