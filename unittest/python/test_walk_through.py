@@ -110,6 +110,18 @@ run {steps}
     assert found == pytest.approx([tension, energy, -tension, energy], rel=1e-9)
 
 
+def test_both_ends_remember(bond_law, run_lammps):
+    """stretched on one rank, then across the border of two, each of which computes the bond for its own end"""
+    script = bonded(bond_law) + f"set atom 1 x 2.5\nset atom 2 x {2.5 + 1.05}\nrun 0\n"
+    script += f"set atom 1 x -0.5\nset atom 2 x {1.04 - 0.5}\nrun 0\n" + scripts.result("fx[1]", "fx[2]")
+    law = Yielding()
+    law.stretched(1.05)
+    tension, _ = law.stretched(1.04)
+    for nprocs in (1, 2):
+        (found,) = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+        assert found == pytest.approx([tension, -tension], rel=1e-9), nprocs
+
+
 @pytest.mark.parametrize("when", ["write_restart half.restart\n", "restart 2 half.restart half.restart\nrun 2\n"])
 @pytest.mark.parametrize("nprocs", [1, 2])
 def test_restart_keeps_the_plastic_strain(bond_law, run_lammps, when, nprocs):
