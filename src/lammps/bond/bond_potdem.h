@@ -46,7 +46,6 @@ template <class Law> class BondPotdem : public BondPotdemBase {
   template <bool PENETRATION, bool DAMP> void choose();
   template <int FAIL, bool PENETRATION, bool DAMP> void choose();
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop(ThreadShare &);
-  bool note_crushed(ThreadShare &, int i, int n, double r2) const;
   double energy_at(int n, double q, const double *state) const;    // q: (r/re)^2
 };
 

@@ -82,6 +82,17 @@ class BondPotdemBase :
     std::vector<Overstretched> over;     // bonds that fail
     int i = -1, j = -1;                  // a bond without length
     int crushed_i = -1, crushed = -1;    // one that is hardly longer: owned atom, packed bond
+
+    void note_collapsed(int atom, int other)
+    {
+      i = atom;
+      j = other;
+    }
+    void note_crushed(int atom, int bond)
+    {
+      crushed_i = atom;
+      crushed = bond;
+    }
   };
   std::vector<Overstretched> over;
 

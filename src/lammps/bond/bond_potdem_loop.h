@@ -34,20 +34,6 @@ template <class Law> double BondPotdem<Law>::energy_at(int n, double q, const do
   return kernels[bonds.type[n]].evaluate(sqrt(q) * re, re, bonds.modulus(n), state).energy;
 }
 
-// false: no length at all
-template <class Law>
-bool BondPotdem<Law>::note_crushed(ThreadShare &share, int i, int n, double r2) const
-{
-  if (r2 > 0.0) {
-    share.crushed_i = i;
-    share.crushed = n;
-    return true;
-  }
-  share.i = i;
-  share.j = bonds.partner[n];
-  return false;
-}
-
 template <class Law>
 template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
 void BondPotdem<Law>::loop(ThreadShare &share)
@@ -62,6 +48,7 @@ void BondPotdem<Law>::loop(ThreadShare &share)
   const double *const dashpot = bonds.dashpot.data();
   const auto *const kernel = kernels.data();
   const auto *const strength = strengths.of_types();
+  constexpr bool by_bond = FAIL == BondStrengths::BY_BOND;
   constexpr double crushed = FixPotdemMonitor::CRUSHED * FixPotdemMonitor::CRUSHED;
 
   for (int i = share.from; i < share.to; i++) {
@@ -74,15 +61,16 @@ void BondPotdem<Law>::loop(ThreadShare &share)
       const double dx = x[j][0] - xi, dy = x[j][1] - yi, dz = x[j][2] - zi;
       const double r2 = dx * dx + dy * dy + dz * dz;
       const double q = r2 * inverse_length2[n];
-      if (!(q > crushed) && !note_crushed(share, i, n, r2)) return;    // true for NaN as well
+      if (!(q > crushed)) {    // true for NaN as well
+        if (!(r2 > 0.0)) return share.note_collapsed(i, j);
+        share.note_crushed(i, n);
+      }
 
       // tension over distance
       const double inverse_r = 1.0 / sqrt(r2);
       double *const state = Law::STATE > 0 ? bonds.state_of(n) : nullptr;
       const double load = potdem_bond_load<PENETRATION, Law>(kernel[type[n]], q, state);
-      if (FAIL &&
-          strength[type[n]].reached_by(load,
-                                       FAIL == BondStrengths::BY_BOND ? bonds.strength[n] : 1.0))
+      if (FAIL && strength[type[n]].reached_by(load, by_bond ? bonds.strength[n] : 1.0))
         share.over.push_back({i, j, type[n]});
       double pull = half_modulus[n] * load * inverse_r;
       if (EV) {
@@ -96,7 +84,6 @@ void BondPotdem<Law>::loop(ThreadShare &share)
         if (ledger) note(i, j, damp * dx, damp * dy, damp * dz);
         pull += damp;
       }
-
       const double px = pull * dx, py = pull * dy, pz = pull * dz;
       fx += px;
       fy += py;
