@@ -167,6 +167,37 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
     assert [word for word in keywords if not re.search(rf"\b{word}\b", syntax)] == []
 
 
+RANGES = {"positive()": "> 0", "nonnegative()": "≥ 0", "fraction()": "≥ 0, < 1", "poisson_ratio()": "> −1, ≤ 0.5",
+          "whole(MAX_PENETRATION)": "whole number, 1 to 64"}
+
+
+def allowed(words, bound):
+    """a range of core/laws/coefficients.h as the pages have it; bound: the coefficient below which it must be"""
+    numbers = [f"{float(number):g}" for number in re.findall(r"-?[\d.]+", words)]
+    if words.startswith("between"):
+        return f"> {numbers[0]}, < {numbers[1]}"
+    text = {"above": "> ", "at_least": "≥ "}[words.split("(")[0]] + numbers[0] if words not in RANGES else RANGES[words]
+    return f"{text}, < {bound}" if bound else text
+
+
+@pytest.mark.parametrize("kind, name", [one for one in STYLES if one[0] in ("pair", "bond")])
+def test_page_has_the_units_and_ranges_of_the_table_of_the_law(kind, name):
+    """required coefficients by their names, those of options by the symbol after the keyword"""
+    table = "".join(law_header(kind, name).read_text().split("coefficients()")[1].split("};")[0].split("\n"))
+    rows = re.findall(r'(required|option)\("(\w+)",\s*(?:"(\w+)",\s*)?&\w+::\w+,\s*(\w+\([^)]*\)),\s*"([^"]+)"\)((?:\s*\.\w+\([^)]*\))*)', table)
+    assert rows
+    page = page_of(kind, name).read_text(encoding="utf-8")
+    listed = {cells[0]: cells for cells in ([cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines()
+                                           if line.startswith("| ")) if len(cells) == 4}
+    for given, word, symbol, words, unit, more in rows:
+        if "FROM_MATERIAL_LENGTH" in more:
+            continue    # a stiffness, whose row says what may stand for it
+        bound = re.findall(r"below\(&\w+::(\w+)\)", more)
+        found = listed[symbol if given == "option" else word]
+        assert found[2].startswith("–" if unit == "1" else unit), found
+        assert found[3].startswith(allowed(words, bound[0] if bound else "")), found
+
+
 @pytest.mark.parametrize("kind, name, example", examples())
 def test_example_runs(run_lammps, kind, name, example):
     assert name in example

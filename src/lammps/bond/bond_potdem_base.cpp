@@ -310,11 +310,22 @@ void BondPotdemBase::find_areas()
 void BondPotdemBase::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
+  std::vector<ThreadShare> all{share(0, begin_work(), atom->f, nullptr, nullptr)};
+  work(all[0]);
+  end_work(all);
+}
+
+// the atoms whose bonds there are
+int BondPotdemBase::begin_work()
+{
   follow_lists();
+  return atom->nlocal;
+}
+
+void BondPotdemBase::end_work(const std::vector<ThreadShare> &shares)
+{
   over.clear();
-  ThreadShare all{0, atom->nlocal, atom->f, nullptr, {}};
-  work(all);
-  collect(all);
+  for (const auto &one : shares) collect(one);
   bonds.state_changes();
 }
 

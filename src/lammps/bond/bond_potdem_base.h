@@ -96,6 +96,13 @@ class BondPotdemBase :
   };
   std::vector<Overstretched> over;
 
+  static ThreadShare share(int from, int to, double **f, double ** /*torque*/,
+                           class ThrData *thread)
+  {
+    return {from, to, f, thread, {}};
+  }
+  int begin_work();
+  void end_work(const std::vector<ThreadShare> &);
   void collect(const ThreadShare &);
   void note(int i, int j, double fx, double fy, double fz);
   virtual void tally(const ThreadShare &, int i, int j, double energy, double push,

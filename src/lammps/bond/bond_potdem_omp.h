@@ -3,27 +3,27 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* The bond styles on several threads: LAMMPS's OPENMP package gives each thread a force array. */
-
 #ifndef LMP_BOND_POTDEM_OMP_H
 #define LMP_BOND_POTDEM_OMP_H
 
 #include "lammps/bond/bond_potdem.h"
-
-#include "thr_omp.h"
+#include "lammps/glue/potdem_omp.h"
 
 namespace LAMMPS_NS {
 
-template <class Law> class BondPotdemOMP : public BondPotdem<Law>, public ThrOMP {
+template <class Law> class BondPotdemOMP : public PotdemOMP<BondPotdem<Law>, Timer::BOND> {
  public:
-  BondPotdemOMP(class LAMMPS *);
-  void compute(int, int) override;
-  double memory_usage() override;
+  using PotdemOMP<BondPotdem<Law>, Timer::BOND>::PotdemOMP;
 
  protected:
   using typename BondPotdemBase::ThreadShare;
-  void tally(const ThreadShare &, int i, int j, double energy, double push,
-             const double *del) override;
+
+  void tally(const ThreadShare &share, int i, int j, double energy, double push,
+             const double *del) override
+  {
+    this->ev_tally_thr(this, i, j, this->atom->nlocal, 0, energy, push, del[0], del[1], del[2],
+                       share.thread);
+  }
 };
 
 }    // namespace LAMMPS_NS

@@ -52,9 +52,9 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   using Rate = std::conditional_t<Law::rate_dependent, POTDEM::Viscous, POTDEM::Elastic>;
   using Kernel = typename Law::Kernel;
 
+  int begin_work();
   void work(ThreadShare &);    // the forces of a part of the list
-  void prepare_work();         // before it
-  void report(const ThreadShare &);
+  void end_work(const std::vector<ThreadShare> &);
 
  private:
   // per pair of types
@@ -113,6 +113,8 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   POTDEM::Spring spring(int i, int j, const POTDEM::ContactMotion &, double r, double weight) const;
 
   // the loop
+  void find_frictions();
+  void report(const ThreadShare &);
   template <class Tangential> void choose(ThreadShare &, const std::vector<Tangential> &);
   template <class Tangential, bool SPIN, bool EV>
   void choose_rate(ThreadShare &, const Tangential *);

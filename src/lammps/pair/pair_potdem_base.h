@@ -60,6 +60,11 @@ class PairPotdemBase :
     int doubtful_i = -1, doubtful_j = -1;    // one too deep or too stiff for the step
   };
 
+  static ThreadShare share(int from, int to, double **f, double **torque, class ThrData *thread)
+  {
+    return {from, to, f, torque, thread};
+  }
+
   // the style's part
   virtual const char *name() const = 0;
   virtual double reach(int itype, int jtype, double dbar) const = 0;

@@ -24,16 +24,21 @@ namespace LAMMPS_NS {
 template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
-  prepare_work();
-  ThreadShare all{0, list->inum, atom->f, atom->torque, nullptr};
-  work(all);
-  report(all);
+  std::vector<ThreadShare> all{share(0, begin_work(), atom->f, atom->torque, nullptr)};
+  work(all[0]);
+  end_work(all);
   if (vflag_fdotr) virial_fdotr_compute();
 }
 
-template <class Law> void PairPotdem<Law>::prepare_work()
+// the particles whose pairs there are
+template <class Law> int PairPotdem<Law>::begin_work()
 {
-  if (frictions_known) return;
+  if (!frictions_known) find_frictions();
+  return list->inum;
+}
+
+template <class Law> void PairPotdem<Law>::find_frictions()
+{
   if (!potdem_same_law(friction, frictions))
     error->all(FLERR,
                "pair_style {}: its pair_coeff have different laws of friction; give all the same "
@@ -41,6 +46,11 @@ template <class Law> void PairPotdem<Law>::prepare_work()
                name());
   if (!sliding) frictions = std::monostate();
   frictions_known = true;
+}
+
+template <class Law> void PairPotdem<Law>::end_work(const std::vector<ThreadShare> &shares)
+{
+  for (const auto &one : shares) report(one);
 }
 
 // the smallest kernel that the coefficients need

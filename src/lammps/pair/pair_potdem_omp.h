@@ -3,27 +3,29 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* The pair styles of this package on several threads: LAMMPS's OPENMP package gives each thread a force array. */
-
 #ifndef LMP_PAIR_POTDEM_OMP_H
 #define LMP_PAIR_POTDEM_OMP_H
 
+#include "lammps/glue/potdem_omp.h"
 #include "lammps/pair/pair_potdem.h"
 
-#include "thr_omp.h"
+#include "force.h"
 
 namespace LAMMPS_NS {
 
-template <class Law> class PairPotdemOMP : public PairPotdem<Law>, public ThrOMP {
+template <class Law> class PairPotdemOMP : public PotdemOMP<PairPotdem<Law>, Timer::PAIR> {
  public:
-  PairPotdemOMP(class LAMMPS *);
-  void compute(int, int) override;
-  double memory_usage() override;
+  using PotdemOMP<PairPotdem<Law>, Timer::PAIR>::PotdemOMP;
 
  protected:
   using typename PairPotdemBase::ThreadShare;
-  void tally(const ThreadShare &, int i, int j, const double *del, double energy,
-             const double *f) override;
+
+  void tally(const ThreadShare &share, int i, int j, const double *del, double energy,
+             const double *f) override
+  {
+    this->ev_tally_xyz_thr(this, i, j, this->atom->nlocal, this->force->newton_pair, energy, 0.0,
+                           f[0], f[1], f[2], del[0], del[1], del[2], share.thread);
+  }
 };
 
 }    // namespace LAMMPS_NS
