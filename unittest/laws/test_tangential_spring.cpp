@@ -35,7 +35,7 @@ double displaced(const TangentialSpring &law, double *state, double by, int n)
 
 TEST(TangentialSpring, SticksByItsStiffnessAndSlipsAtTheLimit)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double state[4] = {};
   const double slip = limit / k;
   EXPECT_NEAR(displaced(law, state, 0.5 * slip, 10), -0.5 * limit, 1e-13 * limit);
@@ -50,7 +50,7 @@ TEST(TangentialSpring, SticksByItsStiffnessAndSlipsAtTheLimit)
 // rule, which errs by a step's share
 TEST(TangentialSpring, ACycleLosesTheAreaOfItsLoop)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   const double slip = limit / k;
   for (const double amplitude : {0.9 * slip, 2.0 * slip, 4.0 * slip}) {
     double state[4] = {}, work = 0.0;
@@ -68,7 +68,7 @@ TEST(TangentialSpring, ACycleLosesTheAreaOfItsLoop)
 
 TEST(TangentialSpring, ItsEnergyIsTheWorkThatCanBeHadBack)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double state[4] = {};
   EXPECT_EQ(law.energy(state), 0.0);
   const double by = 0.8 * limit / k;
@@ -79,7 +79,7 @@ TEST(TangentialSpring, ItsEnergyIsTheWorkThatCanBeHadBack)
 // the displacement T/k stays when the contact unloads, so that the energy falls with k; T stays when it is loaded
 TEST(TangentialSpring, MakesNoEnergyWhenTheNormalForceChanges)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double state[4] = {}, f[3];
   displaced(law, state, 0.2 * limit / k, 7);
   const double before = law.energy(state);
@@ -96,7 +96,7 @@ TEST(TangentialSpring, MakesNoEnergyWhenTheNormalForceChanges)
 
 TEST(TangentialSpring, TurnsWithThePlaneOfContact)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double state[4] = {}, f[3];
   displaced(law, state, 0.5 * limit / k, 7);
   for (int degree = 1; degree <= 90; degree++) {
@@ -112,7 +112,7 @@ TEST(TangentialSpring, TurnsWithThePlaneOfContact)
 
 TEST(TangentialSpring, ItsDashpotIsAFractionOfTheCriticalOne)
 {
-  const TangentialSpring law{mu, ratio, 0.25};
+  const TangentialSpring law{{}, mu, ratio, 0.25};
   EXPECT_DOUBLE_EQ(law.viscosity(slide(0.0)), 0.5 * std::sqrt(k * mass));
   double state[4] = {}, f[3];
   const double speed = 1e-6;
@@ -125,7 +125,7 @@ TEST(TangentialSpring, ItsDashpotIsAFractionOfTheCriticalOne)
 
 TEST(TangentialSpring, StaysWhereNoStepIsMade)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double state[4] = {}, copy[4], f[3];
   displaced(law, state, 0.5 * limit / k, 7);
   std::copy(state, state + 4, copy);
@@ -138,7 +138,7 @@ TEST(TangentialSpring, StaysWhereNoStepIsMade)
 
 TEST(TangentialSpring, SeenFromTheOtherParticle)
 {
-  const TangentialSpring law{mu, ratio, 0.0};
+  const TangentialSpring law{{}, mu, ratio, 0.0};
   double one[4] = {}, other[4] = {}, f[3], g[3];
   displaced(law, one, 0.3 * limit / k, 5);
   std::copy(one, one + 4, other);
@@ -164,7 +164,7 @@ TEST(Mindlin, TheRatioOfTheStiffnesses)
   const double E = contact_modulus(7e10, 0.3, 2e9, 0.45);
   const double kt = 8.0 * G * std::sqrt(R * w), kn_hertz = 2.0 * E * std::sqrt(R * w);
   EXPECT_NEAR(shear_ratio(7e10, 0.3, 2e9, 0.45), kt / kn_hertz, 1e-14);
-  EXPECT_DOUBLE_EQ((Mindlin{mu, 0.0}.stiffness(slide(0.0))), 0.8 * kn);
+  EXPECT_DOUBLE_EQ((Mindlin{{}, mu, 0.0}.stiffness(slide(0.0))), 0.8 * kn);
 }
 
 // what restart files keep of two materials that were mixed

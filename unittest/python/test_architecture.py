@@ -3,6 +3,7 @@
 
 """Where a line belongs (docs/developer.md): what may include what, and that nothing is written twice."""
 
+import itertools
 import re
 from pathlib import Path
 
@@ -125,7 +126,7 @@ def test_a_law_is_named_in_its_file_and_its_row_only(root):
     wrong = []
     for path in sources(root):
         for law in laws:
-            if re.search(rf"\b{law}\b", strip(path.read_text())) and not re.search(rf"^struct {law} {{", path.read_text(), re.MULTILINE):
+            if re.search(rf"\b{law}\b", strip(path.read_text())) and not re.search(rf"^struct {law}\b.*{{", path.read_text(), re.MULTILINE):
                 wrong.append((law, path.name))
     allowed = {("Sliding", "fix_potdem_wall_region.h"), ("Sliding", "fix_potdem_wall_region.cpp"),    # holds at rest
                ("Sliding", "potdem_friction.cpp"),                                                   # 'auto'
@@ -145,3 +146,35 @@ def test_every_source_says_its_licence(root):
     missing = [str(path.relative_to(root)) for path in tracked(root)
                if "GNU General Public License, version 2" not in "\n".join(path.read_text().splitlines()[:8])]
     assert missing == []
+
+
+WINDOW = 6
+
+
+def code_lines(path):
+    """without comments, includes and what holds no code"""
+    lines = [line.strip() for line in strip(path.read_text()).splitlines()]
+    return [line for line in lines if len(line) > 2 and not line.startswith("#")]
+
+
+def windows(lines):
+    return {tuple(lines[k:k + WINDOW]) for k in range(len(lines) - WINDOW + 1)}
+
+
+def test_no_two_files_share_a_fifth_of_their_lines(root):
+    """in runs of six or more"""
+    files = {path: code_lines(path) for path in sources(root)}
+    runs = {path: windows(lines) for path, lines in files.items()}
+    wrong = []
+    for a, b in itertools.combinations(files, 2):
+        shared = runs[a] & runs[b]
+        less = min(len(files[a]), len(files[b]))
+        if shared and (len(shared) + WINDOW - 1) > 0.2 * less:
+            wrong.append(f"{a.name} and {b.name}: {len(shared) + WINDOW - 1} of {less}")
+    assert wrong == []
+
+
+def test_programs_find_the_package_by_their_environment(root):
+    """and none edits the path of its modules"""
+    edits = [path.name for path in tracked(root) if path.suffix == ".py" and re.search(r"sys\.path\b(?!`)", path.read_text())]
+    assert [name for name in edits if name != Path(__file__).name] == []

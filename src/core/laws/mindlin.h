@@ -19,8 +19,7 @@
 
 namespace POTDEM {
 
-struct Mindlin {
-  static constexpr int STATE = SlipSpring::STATE;
+struct Mindlin : public RemembersSlip<Mindlin> {
   static constexpr const char *keyword = "mindlin";
   static constexpr bool needs_shear_ratio = true;
 
@@ -34,21 +33,10 @@ struct Mindlin {
 
   static Mindlin mixed(const Mindlin &a, const Mindlin &b)
   {
-    return {std::fmin(a.mu, b.mu), 0.5 * (a.xi + b.xi)};
+    return {{}, std::fmin(a.mu, b.mu), 0.5 * (a.xi + b.xi)};
   }
 
-  POTDEM_FUNCTION SlipSpring at(const Slide &slide) const { return {stiffness(slide), mu, xi}; }
-  POTDEM_FUNCTION void force(const Slide &slide, double *state, double *f) const
-  {
-    at(slide).force(slide, state, f);
-  }
-  POTDEM_FUNCTION static void turn(double *state) { SlipSpring::turn(state); }
-  POTDEM_FUNCTION static double energy(const double *state) { return SlipSpring::energy(state); }
-  POTDEM_FUNCTION double viscosity(const Slide &slide) const { return at(slide).viscosity(slide); }
-  POTDEM_FUNCTION double stiffness(const Slide &slide) const
-  {
-    return slide.shear_ratio * slide.stiffness;
-  }
+  POTDEM_FUNCTION double stiffness(const Slide &at) const { return at.shear_ratio * at.stiffness; }
 };
 
 }    // namespace POTDEM

@@ -89,8 +89,25 @@ struct SlipSpring {
   }
 };
 
-struct TangentialSpring {
+// what laws of such a spring have in common; they have mu, xi and stiffness(slide)
+template <class Law> struct RemembersSlip {
   static constexpr int STATE = SlipSpring::STATE;
+
+  POTDEM_FUNCTION SlipSpring spring(const Slide &at) const
+  {
+    const auto &law = static_cast<const Law &>(*this);
+    return {law.stiffness(at), law.mu, law.xi};
+  }
+  POTDEM_FUNCTION void force(const Slide &at, double *state, double *f) const
+  {
+    spring(at).force(at, state, f);
+  }
+  POTDEM_FUNCTION double viscosity(const Slide &at) const { return spring(at).viscosity(at); }
+  POTDEM_FUNCTION static void turn(double *state) { SlipSpring::turn(state); }
+  POTDEM_FUNCTION static double energy(const double *state) { return SlipSpring::energy(state); }
+};
+
+struct TangentialSpring : public RemembersSlip<TangentialSpring> {
   static constexpr const char *keyword = "spring";
 
   double mu = 0.0, ratio = 0.0, xi = 0.0;
@@ -107,19 +124,13 @@ struct TangentialSpring {
   // the more slippery material decides; springs in series
   static TangentialSpring mixed(const TangentialSpring &a, const TangentialSpring &b)
   {
-    return {std::fmin(a.mu, b.mu), 2.0 * a.ratio * b.ratio / (a.ratio + b.ratio),
+    return {{},
+            std::fmin(a.mu, b.mu),
+            2.0 * a.ratio * b.ratio / (a.ratio + b.ratio),
             0.5 * (a.xi + b.xi)};
   }
 
-  POTDEM_FUNCTION SlipSpring at(const Slide &slide) const { return {stiffness(slide), mu, xi}; }
-  POTDEM_FUNCTION void force(const Slide &slide, double *state, double *f) const
-  {
-    at(slide).force(slide, state, f);
-  }
-  POTDEM_FUNCTION static void turn(double *state) { SlipSpring::turn(state); }
-  POTDEM_FUNCTION static double energy(const double *state) { return SlipSpring::energy(state); }
-  POTDEM_FUNCTION double viscosity(const Slide &slide) const { return at(slide).viscosity(slide); }
-  POTDEM_FUNCTION double stiffness(const Slide &slide) const { return ratio * slide.stiffness; }
+  POTDEM_FUNCTION double stiffness(const Slide &at) const { return ratio * at.stiffness; }
 };
 
 }    // namespace POTDEM
