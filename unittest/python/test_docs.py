@@ -65,6 +65,19 @@ def law_header(kind, style):
     return header
 
 
+def friction_words(laws):
+    """keywords of the laws of friction that go with these normal laws (their headers)"""
+    texts = {header.name: header.read_text() for header in (ROOT / "src" / "core" / "laws").glob("*.h")}
+    (rows,) = re.findall(r"#define TANGENTIAL_LAWS\(X\)((?:.*\\\n)*.*)", texts["law_list.h"])
+    words = set()
+    for law in re.findall(r"X\((\w+)\)", rows):
+        (text,) = [text for text in texts.values() if re.search(rf"^struct {law} {{", text, re.MULTILINE)]
+        if "needs_shear_ratio" not in text or any("shear_ratio" in header.read_text() for header in laws):
+            body = re.search(rf"^struct {law} {{.*?^}};", text, re.MULTILINE | re.DOTALL).group()
+            words |= set(re.findall(r'(?:keyword = |option\(|or_word\()"(\w+)"', body))
+    return words
+
+
 def registered_styles():
     """(kind, name) of the styles a user can name"""
     return [(kind, name) for kind, name in inputs.registered_styles(ROOT) if not name.isupper()]
@@ -158,7 +171,12 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
         sources = [bond / "bond_potdem_base.cpp", bond / "potdem_bond_area.cpp", law_header(kind, name)]
     text = "".join(source.read_text() for source in sources)
     keywords = re.findall(r'(?:next_is|option|flag|setting|or_word)\("(\w+)"', text)
-    keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file", "auto"] * ("potdem_read_friction(" in text)
+    keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file"] * ("potdem_read_friction(" in text)
+    if "potdem_read_friction(" in text:
+        laws = [law_header("pair", name)] if kind == "pair" else [*(ROOT / "src" / "core" / "laws").glob("hertz*.h")]
+        keywords += friction_words(laws)
+    if "CONTACT_LAWS(POTDEM_TRY)" in text:
+        keywords += re.findall(r"X\((\w+), \w+\)", inputs.table_of_laws(ROOT, "pair"))
     if "rate_dependent = true" in text:
         keywords += ["viscous", "attract"]
     assert keywords or kind in ("compute", "command")
