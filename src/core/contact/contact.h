@@ -82,6 +82,10 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
           slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
                          weight * found.elastic.stiffness, shear_ratio_of(kernel, 0), advance);
       tangential.force(slide, state, found.friction);
+    } else if constexpr (Tangential::STATE > 0) {
+      // not pressed together: there is nothing to hold on to
+      if (advance && state)
+        for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
     }
   return found;
 }

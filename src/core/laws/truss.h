@@ -61,21 +61,24 @@ struct Truss {
     template <bool PENETRATION = true>
     POTDEM_FUNCTION double load(double q, double * /*state*/ = nullptr) const
     {
-      const double load = q - 1.0;
-      return PENETRATION && has_penetration ? load * factor.value(std::sqrt(q)) : load;
+      return PENETRATION && has_penetration ? load(q, factor.value(std::sqrt(q))) : q - 1.0;
     }
 
     // modulus: A E; re: reference length
     POTDEM_FUNCTION Evaluation evaluate(double r, double re, double modulus,
                                         const double * /*state*/ = nullptr) const
     {
-      const double x = r / re, dx = x - 1.0;
-      const double force = -0.5 * modulus * load(x * x);
+      const double x = r / re, dx = x - 1.0, q = x * x;
       if (!has_penetration)
-        return {modulus * re * dx * dx * (x + 2.0) / 6.0, force, modulus * x / re};
-      const double slope = factor.value(x) * x + factor.slope(x) * truss_strain(x * x);
-      return {modulus * re * factor.integral(x), force, modulus / re * slope};
+        return {modulus * re * dx * dx * (x + 2.0) / 6.0, -0.5 * modulus * load<false>(q),
+                modulus * x / re};
+      const double c = factor.value(x);
+      return {modulus * re * factor.integral(x), -0.5 * modulus * load(q, c),
+              modulus / re * (c * x + factor.slope(x) * truss_strain(q))};
     }
+
+   private:
+    POTDEM_FUNCTION static double load(double q, double c) { return (q - 1.0) * c; }
   };
 
   Kernel kernel() const

@@ -80,7 +80,7 @@ int LAMMPS_NS::potdem_friction_state(const PotdemFriction &friction)
 {
   return std::visit(
       [](const auto &law) {
-        return law.mu > 0.0 ? law.STATE : 0;
+        return law.STATE;    // with mu = 0 too: fix adapt may raise it
       },
       friction);
 }

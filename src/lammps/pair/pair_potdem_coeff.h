@@ -193,7 +193,11 @@ template <class Law> void PairPotdem<Law>::mix(int i, int j)
   laws[at(i, j)] = Law::mixed(a, b);
   rates[at(i, j)] = Rate::mixed(rates[at(i, i)], rates[at(j, j)]);
   if (!potdem_mix_friction(friction[at(i, i)], friction[at(j, j)], friction[at(i, j)]))
-    cannot_mix(i, j, "laws of friction");
+    error->all(
+        FLERR,
+        "pair_style {}: types {} and {} have different laws of friction; give all pair_coeff "
+        "of one style the same one, or use pair_style hybrid",
+        name(), i, j);
   mirror(i, j);
 }
 

@@ -401,7 +401,10 @@ void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
       const auto slide = POTDEM::slide_of<SPIN>(
           touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]), touch.normal,
           touch.stiffness, touch.shear_ratio, !update->setupflag);
-      if (touch.normal > 0.0) rough.force(slide, state, touch.drag);
+      if (touch.normal > 0.0)
+        rough.force(slide, state, touch.drag);
+      else if (slide.advance && state)
+        std::fill_n(state, Tangential::STATE, 0.0);
     }
     add(i, touch, touch.drag);
     double turn[3];

@@ -18,8 +18,8 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PotdemWallMemory::PotdemWallMemory(LAMMPS *lmp, const std::string &id_fix, int _faces, int state) :
-    Pointers(lmp), id(id_fix + "_MEMORY"), id_owner(id_fix), faces(_faces), width(1 + state),
-    store(nullptr), touched(_faces, false)
+    Pointers(lmp), id(fmt::format("{}_MEMORY_{}", id_fix, _faces * (1 + state))), id_owner(id_fix),
+    faces(_faces), width(1 + state), store(nullptr), touched(_faces, false)
 {
   modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 no yes", id, faces * width));
   init();

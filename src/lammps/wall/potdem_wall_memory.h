@@ -4,7 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* What the contacts of particles with the faces of a wall remember, in LAMMPS's fix STORE/ATOM, which carries it through
-   exchange, sorting and restart files: for each particle so many places as it can touch faces at once, each the key of a
+   exchange, sorting and restart files (its ID has its width, so that a file of a wall with other faces or another law is not
+   misread): for each particle so many places as it can touch faces at once, each the key of a
    face (0: free) and the numbers of the tangential law. There only where a law remembers. */
 
 #ifndef LMP_POTDEM_WALL_MEMORY_H
