@@ -114,6 +114,10 @@ TEST(TangentialSpring, ItsDashpotIsAFractionOfTheCriticalOne)
 {
   const TangentialSpring law{{}, mu, ratio, 0.25};
   EXPECT_DOUBLE_EQ(law.viscosity(slide(0.0)), 0.5 * std::sqrt(k * mass));
+  // where energy is counted in 1/9 of mass * velocity^2, mass over step is 9 times less
+  Slide other_units = slide(0.0);
+  other_units.step = dt / 9.0;
+  EXPECT_DOUBLE_EQ(law.viscosity(other_units), 1.5 * std::sqrt(k * mass));
   double state[4] = {}, f[3];
   const double speed = 1e-6;
   law.force(slide(speed), state, f);

@@ -122,6 +122,31 @@ def test_gross_sliding_is_the_impact_of_rigid_bodies(run_lammps, partner):
     assert abs(spin) == pytest.approx(5.0 * mu * normal / 0.1, rel=1e-2)
 
 
+def test_friction_is_adapted_from_nothing(run_lammps):
+    """the contact has a memory with mu = 0, and is held by mu as it grows"""
+    script = scripts.box(4) + scripts.particles([(0, -0.45, 0, 1), (0, 0.45, 0, 1)]) + "comm_modify vel yes\n"
+    script += "pair_style potdem/truss\npair_coeff * * 1000 0.5 friction 0 spring 0.8\ngroup two id 2\n"
+    script += "variable mu equal ramp(0,0.3)\nfix grow all adapt 1 pair potdem/truss mu * * v_mu\n"
+    script += "fix pull two move linear 0.1 0 0\ntimestep 1e-4\nthermo_style custom step v_mu\nrun 500\n"
+    script += "compute f all pair/local p4 force\ncompute s all reduce sum c_f[1] c_f[2] inputs local\n"
+    script += "thermo_style custom step v_mu c_s[1] c_s[2]\nthermo_modify format float %.17g\nunfix grow\nrun 0\n"
+    (found,) = scripts.results(run_lammps(script + scripts.result("c_s[1]", "c_s[2]")).stdout)
+    # 0.8 A E x/re over 5 mm; the normal turns by a hundredth of its direction
+    assert found[0] == pytest.approx(0.8 * 1000 * 0.5 * np.pi / 4 * 0.9 * 0.005, rel=1e-3)
+    assert found[0] < 0.3 * found[1]
+
+
+def test_a_spring_is_let_go_without_a_normal_force(run_lammps):
+    """the Lennard-Jones law reaches beyond where it pushes"""
+    script = scripts.box(4) + scripts.particles([(0, -0.45, 0, 1), (0, 0.45, 0, 1)]) + "comm_modify vel yes\n"
+    script += "pair_style potdem/lj\npair_coeff * * 1000 0.2 2 0.2 friction 0.5 spring 0.8\ngroup two id 2\n"
+    script += "compute ledger all potdem/energy\nfix pull two move linear 0.1 0 0\ntimestep 1e-4\n"
+    script += "set atom 2 y 0.4\nthermo_style custom step c_ledger[11]\nthermo_modify format float %.17g\nrun 50\n"
+    script += scripts.result("c_ledger[11]") + "unfix pull\nset atom 2 y 0.6\nrun 1\n" + scripts.result("c_ledger[11]")
+    held, released = scripts.results(run_lammps(script).stdout)[:, 0]
+    assert held > 0.0 and released == 0.0
+
+
 # --- piles --------------------------------------------------------------------------------------------------------------------
 
 PILE = """

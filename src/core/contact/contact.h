@@ -76,17 +76,15 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
       found.viscous = weight * (normal - found.elastic.force);
     }
   found.normal = weight * normal;
-  if constexpr (!std::is_same_v<Tangential, Frictionless>)
-    if (found.normal > 0.0 && tangential.mu > 0.0) {
-      const auto slide =
-          slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
-                         weight * found.elastic.stiffness, shear_ratio_of(kernel, 0), advance);
-      tangential.force(slide, state, found.friction);
-    } else if constexpr (Tangential::STATE > 0) {
-      // not pressed together: there is nothing to hold on to
-      if (advance && state)
-        for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
-    }
+  if constexpr (!std::is_same_v<Tangential, Frictionless>) {
+    if (found.normal > 0.0 && tangential.mu > 0.0)
+      tangential.force(slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
+                                      weight * found.elastic.stiffness, shear_ratio_of(kernel, 0),
+                                      advance),
+                       state, found.friction);
+    else if (advance)    // not pressed together: there is nothing to hold on to
+      for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
+  }
   return found;
 }
 
