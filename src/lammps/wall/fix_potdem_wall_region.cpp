@@ -220,16 +220,25 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
 template <class Wall, class Tangential>
 void FixPotdemWallRegion::choose(const Wall &wall, const Tangential &rough)
 {
-  if constexpr (std::is_same_v<Tangential, POTDEM::Frictionless>)
-    ledger || wall.rate.active() ? push_all<false, true>(wall, rough)
-                                 : push_all<false, false>(wall, rough);
+  if (wall.rate.active())
+    choose_spin<true>(wall, wall.rate, rough);
   else
-    rotation ? push_all<true, true>(wall, rough) : push_all<false, true>(wall, rough);
+    choose_spin<!std::is_same_v<Tangential, POTDEM::Frictionless>>(wall, POTDEM::Elastic(), rough);
 }
 
-// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
-template <bool SPIN, bool MOVE, class Wall, class Tangential>
-void FixPotdemWallRegion::push_all(const Wall &wall, const Tangential &rough)
+// MOVE: velocities matter, as they do to a ledger
+template <bool MOVE, class Wall, class Rate, class Tangential>
+void FixPotdemWallRegion::choose_spin(const Wall &wall, const Rate &rate, const Tangential &rough)
+{
+  if constexpr (std::is_same_v<Tangential, POTDEM::Frictionless>)
+    ledger ? push_all<false, true>(wall, rate, rough) : push_all<false, MOVE>(wall, rate, rough);
+  else
+    rotation ? push_all<true, true>(wall, rate, rough) : push_all<false, true>(wall, rate, rough);
+}
+
+// friction comes after the normal forces of all faces: it may have to balance them
+template <bool SPIN, bool MOVE, class Wall, class Rate, class Tangential>
+void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate, const Tangential &rough)
 {
   constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
@@ -245,8 +254,9 @@ void FixPotdemWallRegion::push_all(const Wall &wall, const Tangential &rough)
                  id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
     touches.clear();
     for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
-      Touch touch;
-      if (normal_force<MOVE>(i, face, wall, touch) && SLIDE) touches.push_back(touch);
+      if (!SLIDE) touches.clear();
+      touches.emplace_back();
+      if (!normal_force<MOVE>(i, face, wall, rate, touches.back())) touches.pop_back();
     }
     if constexpr (SLIDE) add_friction<SPIN>(i, rough);
   }
@@ -274,9 +284,9 @@ POTDEM::ContactMotion FixPotdemWallRegion::motion(int i, const PotdemWallSurface
   return found;
 }
 
-template <bool MOVE, class Wall>
+template <bool MOVE, class Wall, class Rate>
 bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &wall,
-                                       Touch &touch)
+                                       const Rate &rate, Touch &touch)
 {
   const double ri = atom->radius[i], r = face.r;
   const auto geometry = wall.geometry(ri);
@@ -294,12 +304,6 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
     touch.motion = motion(i, face, touch.wall);
   else
     MathExtra::scale3(r, face.n, touch.motion.del);
-  const auto rate = [&wall] {
-    if constexpr (MOVE)
-      return wall.rate;
-    else
-      return POTDEM::Elastic();
-  }();
   const auto found = POTDEM::contact_forces<false>(
       wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false, 1.0,
       [&touch] {
@@ -407,13 +411,15 @@ void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
         std::fill_n(state, Tangential::STATE, 0.0);
     }
     add(i, touch, touch.drag);
-    double turn[3];
-    POTDEM::torque_over_lever(touch.motion.del, touch.drag, turn);
-    if (SPIN) MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
+    if (SPIN) {
+      double turn[3];
+      POTDEM::torque_over_lever(touch.motion.del, touch.drag, turn);
+      MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
+      if (ledger) ledger->add_torque(i, 1.0, turn);
+    }
     if (!ledger) continue;
     const double across = MathExtra::dot3(touch.drag, touch.wall);
     ledger->add(FixPotdemLedger::FRICTION, i, touch.drag[0], touch.drag[1], touch.drag[2]);
-    if (SPIN) ledger->add_torque(i, 1.0, turn);
     ledger->add_slip(FixPotdemLedger::FRICTION, across);
     ledger->add_wall(across);
   }
@@ -451,8 +457,10 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM:
       MathExtra::sub3(stop, touch.drag, more);
       MathExtra::copy3(stop, touch.drag);
       MathExtra::add3(f, more, f);
-      POTDEM::torque_over_lever(touch.motion.del, more, stop);
-      MathExtra::add3(torque, stop, torque);
+      if (SPIN) {
+        POTDEM::torque_over_lever(touch.motion.del, more, stop);
+        MathExtra::add3(torque, stop, torque);
+      }
       change = std::fmax(change, MathExtra::len3(more));
     }
     if (touches.size() == 1 || change <= ROUNDING * largest) return;

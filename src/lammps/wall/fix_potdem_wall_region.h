@@ -94,10 +94,12 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
 
   template <bool MOTION> void act(int vflag);
   template <class Wall, class Tangential> void choose(const Wall &, const Tangential &);
-  template <bool SPIN, bool MOVE, class Wall, class Tangential>
-  void push_all(const Wall &, const Tangential &);
-  template <bool MOVE, class Wall>
-  bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, Touch &);
+  template <bool MOVE, class Wall, class Rate, class Tangential>
+  void choose_spin(const Wall &, const Rate &, const Tangential &);
+  template <bool SPIN, bool MOVE, class Wall, class Rate, class Tangential>
+  void push_all(const Wall &, const Rate &, const Tangential &);
+  template <bool MOVE, class Wall, class Rate>
+  bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
   template <bool SPIN, class Tangential> void add_friction(int i, const Tangential &);
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
   void note(int i, const Touch &, double viscous) const;
