@@ -209,7 +209,7 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   std::visit(
       [this, sliding](auto wall, const auto &rough) {
         if (!MOTION) wall.rate = {};
-        sliding ? choose(wall, rough) : choose(wall, POTDEM::Frictionless());
+        sliding ? this->choose(wall, rough) : this->choose(wall, POTDEM::Frictionless());
       },
       law, friction);
 }
