@@ -39,7 +39,7 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), monitor(nullptr),
-    rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
+    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -205,42 +205,44 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   surface.follow();
   too_stiff = monitor ? monitor->stiffest_over_mass() : std::numeric_limits<double>::infinity();
   too_near = monitor ? FixPotdemMonitor::DEEP : 0.0;
-  const bool sliding = MOTION && potdem_friction_mu(friction) > 0.0;
+  rub = MOTION && potdem_friction_mu(friction) > 0.0 ? friction_kernel() : nullptr;
   std::visit(
-      [this, sliding](auto wall, const auto &rough) {
+      [this](auto wall) {
         if (!MOTION) wall.rate = {};
-        sliding ? this->choose(wall, rough) : this->choose(wall, POTDEM::Frictionless());
+        this->choose(wall);
       },
-      law, friction);
+      law);
 }
 
 /* ---------------------------------------------------------------------- */
 
+FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::friction_kernel() const
+{
+  return std::visit(
+      [this](const auto &rough) {
+        using Tangential = std::decay_t<decltype(rough)>;
+        return rotation ? &FixPotdemWallRegion::add_friction<true, Tangential>
+                        : &FixPotdemWallRegion::add_friction<false, Tangential>;
+      },
+      friction);
+}
+
 // the smallest kernel that the keywords need
-template <class Wall, class Tangential>
-void FixPotdemWallRegion::choose(const Wall &wall, const Tangential &rough)
+template <class Wall> void FixPotdemWallRegion::choose(const Wall &wall)
 {
   if (wall.rate.active())
-    choose_spin<true>(wall, wall.rate, rough);
+    rub ? push_all<true, true>(wall, wall.rate) : push_all<false, true>(wall, wall.rate);
+  else if (rub)
+    push_all<true, true>(wall, POTDEM::Elastic());
   else
-    choose_spin<!std::is_same_v<Tangential, POTDEM::Frictionless>>(wall, POTDEM::Elastic(), rough);
+    ledger ? push_all<false, true>(wall, POTDEM::Elastic())
+           : push_all<false, false>(wall, POTDEM::Elastic());
 }
 
-// MOVE: velocities matter, as they do to a ledger
-template <bool MOVE, class Wall, class Rate, class Tangential>
-void FixPotdemWallRegion::choose_spin(const Wall &wall, const Rate &rate, const Tangential &rough)
+// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate)
 {
-  if constexpr (std::is_same_v<Tangential, POTDEM::Frictionless>)
-    ledger ? push_all<false, true>(wall, rate, rough) : push_all<false, MOVE>(wall, rate, rough);
-  else
-    rotation ? push_all<true, true>(wall, rate, rough) : push_all<false, true>(wall, rate, rough);
-}
-
-// friction comes after the normal forces of all faces: it may have to balance them
-template <bool SPIN, bool MOVE, class Wall, class Rate, class Tangential>
-void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate, const Tangential &rough)
-{
-  constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -254,11 +256,15 @@ void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate, const Tan
                  id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
     touches.clear();
     for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
-      if (!SLIDE) touches.clear();
-      touches.emplace_back();
-      if (!normal_force<MOVE>(i, face, wall, rate, touches.back())) touches.pop_back();
+      if constexpr (SLIDE) {
+        touches.emplace_back();
+        if (!normal_force<MOVE>(i, face, wall, rate, touches.back())) touches.pop_back();
+      } else {
+        Touch touch;
+        normal_force<MOVE>(i, face, wall, rate, touch);
+      }
     }
-    if constexpr (SLIDE) add_friction<SPIN>(i, rough);
+    if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
   }
 }
 
@@ -271,17 +277,15 @@ void FixPotdemWallRegion::bring_back(double *x) const
   domain->remap(x);
 }
 
-// del, and where they are wanted the velocities; wall: of the surface
-POTDEM::ContactMotion FixPotdemWallRegion::motion(int i, const PotdemWallSurface::Face &face,
-                                                  double *wall) const
+// wall: velocity of the surface
+void FixPotdemWallRegion::find_motion(int i, const PotdemWallSurface::Face &face,
+                                      POTDEM::ContactMotion &motion, double *wall) const
 {
-  POTDEM::ContactMotion found{};
-  found.r = face.r;
-  MathExtra::scale3(face.r, face.n, found.del);
+  motion.r = face.r;
+  MathExtra::scale3(face.r, face.n, motion.del);
   surface.velocity(face, wall);
-  MathExtra::sub3(atom->v[i], wall, found.v);
-  if (rotation) MathExtra::copy3(atom->omega[i], found.spin);
-  return found;
+  MathExtra::sub3(atom->v[i], wall, motion.v);
+  if (rotation) MathExtra::copy3(atom->omega[i], motion.spin);
 }
 
 template <bool MOVE, class Wall, class Rate>
@@ -301,12 +305,12 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
   MathExtra::copy3(face.n, touch.n);
   touch.key = face.key;
   if constexpr (MOVE)
-    touch.motion = motion(i, face, touch.wall);
+    find_motion(i, face, touch.motion, touch.wall);
   else
     MathExtra::scale3(r, face.n, touch.motion.del);
   const auto found = POTDEM::contact_forces<false>(
       wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false, 1.0,
-      [&touch] {
+      [&touch]() -> const POTDEM::ContactMotion & {
         return touch.motion;
       },
       [] {
@@ -388,9 +392,9 @@ double FixPotdemWallRegion::spin_share(double r_over_ri) const
   return rotation ? POTDEM::sliding_mass(r_over_ri, inertia) : 1.0;
 }
 
-template <bool SPIN, class Tangential>
-void FixPotdemWallRegion::add_friction(int i, const Tangential &rough)
+template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(int i)
 {
+  const auto &rough = std::get<Tangential>(friction);
   bool hold = false;
   if constexpr (std::is_same_v<Tangential, POTDEM::Sliding>) {
     hold = rough.automatic != 0.0;
@@ -501,8 +505,9 @@ template <class Wall>
 double FixPotdemWallRegion::closest(int i, const PotdemWallSurface::Face &face, double ahead,
                                     const Wall &wall) const
 {
+  POTDEM::ContactMotion state;
   double velocity[3];
-  const auto state = motion(i, face, velocity);
+  find_motion(i, face, state, velocity);
   const auto geometry = wall.geometry(atom->radius[i]);
   return POTDEM::closest_approach(state.r, MathExtra::dot3(state.v, face.n), ahead,
                                   wall.reach(geometry.ri), wall.kernel.hard_core(geometry),

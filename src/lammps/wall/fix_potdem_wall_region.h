@@ -65,6 +65,8 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
     double wall[3];    // velocity of the surface at the foot
     double drag[3];    // friction
     int key;           // of the face
+
+    Touch() {}    // only what the kernel needs is set
   };
 
   std::string region_id;
@@ -77,6 +79,8 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   std::variant<PotdemWallLaw<POTDEM::HertzWall> CONTACT_LAWS(POTDEM_WALL_OF_LAW)> law;
 #undef POTDEM_WALL_OF_LAW
   PotdemFriction friction;
+  typedef void (FixPotdemWallRegion::*FrictionKernel)(int i);
+  FrictionKernel rub;                          // null: no friction
   std::unique_ptr<PotdemWallMemory> memory;    // null: friction remembers nothing
   bool rotation;
   double inertia;                // of a particle that spins, over m r^2
@@ -93,20 +97,20 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void check_rotation();
 
   template <bool MOTION> void act(int vflag);
-  template <class Wall, class Tangential> void choose(const Wall &, const Tangential &);
-  template <bool MOVE, class Wall, class Rate, class Tangential>
-  void choose_spin(const Wall &, const Rate &, const Tangential &);
-  template <bool SPIN, bool MOVE, class Wall, class Rate, class Tangential>
-  void push_all(const Wall &, const Rate &, const Tangential &);
+  template <class Wall> void choose(const Wall &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push_all(const Wall &, const Rate &);
   template <bool MOVE, class Wall, class Rate>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
-  template <bool SPIN, class Tangential> void add_friction(int i, const Tangential &);
+  template <bool SPIN, class Tangential> void add_friction(int i);
+  FrictionKernel friction_kernel() const;
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
   void note(int i, const Touch &, double viscous) const;
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);
-  POTDEM::ContactMotion motion(int i, const PotdemWallSurface::Face &, double *wall) const;
+  void find_motion(int i, const PotdemWallSurface::Face &, POTDEM::ContactMotion &,
+                   double *wall) const;
   double spin_share(double r_over_ri) const;
   POTDEM::ContactMasses masses_of(int i) const;
   template <class Wall> void add_stiffness_of(const Wall &, class PotdemStiffness &, double ahead);
