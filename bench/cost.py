@@ -77,6 +77,7 @@ TABLES = {
         Case("LAMMPS's `gran/hertz/history`, which turns", "gran", "contact", ("Pair",)),
         contact("`pair_style potdem/granular`, n = 4", "potdem/granular", "1.0 4 0.2 cut 1.2"),
         contact("`pair_style potdem/lj`, n = 3", "potdem/lj", "1.0 0.2 3 0.2"),
+        contact("with `friction mu mindlin` and `rotation yes`", "potdem/hertz rotation yes", "1.0 0.3 friction 0.3 mindlin"),
         added("added by `compute potdem/energy`, no friction", HERTZ, *LEDGER),
         added("added by `compute potdem/energy`, with friction", SLIDING, *LEDGER),
     ],
@@ -98,6 +99,7 @@ TABLES = {
 COMPARED = [
     ("Bonds", 0, 1, "a bond over one of bpm/spring"),
     ("Contacts", 6, 7, "a contact with friction and rotation over one of gran/hertz/history"),
+    ("Contacts", 10, 7, "one that remembers its friction, mindlin, over one of gran/hertz/history"),
 ]
 
 
