@@ -50,7 +50,8 @@ POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMass
                                       double spin_share, double normal, double stiffness,
                                       double shear_ratio, bool advance)
 {
-  Slide slide{{},          {at.del[0] / at.r, at.del[1] / at.r, at.del[2] / at.r},
+  const double inverse_r = 1.0 / at.r;
+  Slide slide{{},          {inverse_r * at.del[0], inverse_r * at.del[1], inverse_r * at.del[2]},
               normal,      stiffness,
               shear_ratio, spin_share * masses.effective,
               masses.step, masses.dt,

@@ -33,9 +33,9 @@ struct SlipSpring {
 
   double k, mu, xi;
 
-  POTDEM_FUNCTION static double length(const double *a)
+  POTDEM_FUNCTION static double square(const double *a)
   {
-    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
   }
 
   POTDEM_FUNCTION double viscosity(const Slide &at) const
@@ -46,20 +46,20 @@ struct SlipSpring {
   // the elastic part in the present plane of contact, for the present stiffness
   POTDEM_FUNCTION void turned(const Slide &at, const double *state, double *T) const
   {
-    const double before = length(state);
     const double out = state[0] * at.n[0] + state[1] * at.n[1] + state[2] * at.n[2];
     for (int c = 0; c < 3; c++) T[c] = state[c] - out * at.n[c];
-    const double left = length(T);
+    const double left = square(T);
     if (left == 0.0) return;
-    const double scale = before / left * (k < state[3] ? k / state[3] : 1.0);
+    const double scale = std::sqrt(square(state) / left) * (k < state[3] ? k / state[3] : 1.0);
     for (int c = 0; c < 3; c++) T[c] *= scale;
   }
 
   POTDEM_FUNCTION static void limit(double *T, double most)
   {
-    const double size = length(T);
-    if (size <= most) return;
-    for (int c = 0; c < 3; c++) T[c] *= most / size;
+    const double size = square(T);
+    if (size <= most * most) return;
+    const double share = most / std::sqrt(size);
+    for (int c = 0; c < 3; c++) T[c] *= share;
   }
 
   POTDEM_FUNCTION void force(const Slide &at, double *state, double *f) const
