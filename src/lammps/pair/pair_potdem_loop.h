@@ -17,6 +17,7 @@
 #include "neigh_list.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace LAMMPS_NS {
@@ -186,13 +187,13 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
   }
 }
 
+// what the second particle of a pair remembers, from what the first does
 template <class Law>
 void PairPotdem<Law>::transfer_history(double *from, double *to, int itype, int jtype)
 {
-  to[0] = from[0];
+  std::copy_n(from, contacts->get_dnum(), to);
   std::visit(
-      [from, to](const auto &rough) {
-        for (int k = 1; k <= rough.STATE; k++) to[k] = from[k];
+      [to](const auto &rough) {
         if constexpr (std::decay_t<decltype(rough)>::STATE > 0) rough.turn(to + 1);
       },
       friction[at(itype, jtype)]);
