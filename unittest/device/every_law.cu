@@ -32,7 +32,7 @@ struct Motion {
 };
 
 struct Masses {
-  POTDEM_FUNCTION ContactMasses operator()() const { return {0.25, 1e-4, 1e-4}; }
+  POTDEM_FUNCTION ContactMasses operator()() const { return {0.25, 1.0, 1e-4, 1e-4}; }
 };
 
 // a contact at the distance r, with forces, spring and turning point
@@ -43,8 +43,8 @@ POTDEM_FUNCTION void contact(const Kernel &kernel, double r, const Geometry &geo
   double state[Tangential::STATE + 1] = {};
   const Motion motion{{{0.6 * r, 0.0, 0.8 * r}, r, {-0.1, 0.2, 0.05}, {0.3, -0.2, 0.1}}};
   const double n[3] = {0.6, 0.0, 0.8};
-  const auto forces = contact_forces<true>(kernel, r, geometry, 1.0, rate, rough, state, true,
-                                           2.0 / 7.0, motion, Masses());
+  const auto forces =
+      contact_forces<true>(kernel, r, geometry, 1.0, rate, rough, state, true, motion, Masses());
   const auto spring =
       contact_spring(kernel, r, geometry, 1.0, rate, rough, Masses()(), 2.0 / 7.0, n);
   const auto law = [&](double distance) {

@@ -20,7 +20,7 @@ Sliding friction(double mu, double eta, bool automatic = false)
 double traction(const Sliding &f, double speed, double normal, double mass = 1.0, double step = 1.0)
 {
   const double along[3] = {2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0};
-  Slide slide{{}, {0.0, 0.0, 1.0}, normal, 0.0, 0.0, mass, step, step, true};
+  Slide slide{{}, {0.0, 0.0, 1.0}, normal, 0.0, 0.0, mass / step, step, true};
   for (int k = 0; k < 3; k++) slide.u[k] = speed * along[k];
   double force[3];
   f.force(slide, nullptr, force);

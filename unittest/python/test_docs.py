@@ -61,7 +61,7 @@ def law_header(kind, style):
     """core/laws/*.h of a pair or bond style, by its row of CONTACT_LAWS or BOND_LAWS"""
     laws = ROOT / "src" / "core" / "laws"
     (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", inputs.table_of_laws(ROOT, kind))
-    (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law} {{", header.read_text(), re.MULTILINE)]
+    (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law}\b[^;]*$", header.read_text(), re.MULTILINE)]
     return header
 
 
@@ -71,9 +71,9 @@ def friction_words(laws):
     (rows,) = re.findall(r"#define TANGENTIAL_LAWS\(X\)((?:.*\\\n)*.*)", texts["law_list.h"])
     words = set()
     for law in re.findall(r"X\((\w+)\)", rows):
-        (text,) = [text for text in texts.values() if re.search(rf"^struct {law} {{", text, re.MULTILINE)]
+        (text,) = [text for text in texts.values() if re.search(rf"^struct {law}\b[^;]*$", text, re.MULTILINE)]
         if "needs_shear_ratio" not in text or any("shear_ratio" in header.read_text() for header in laws):
-            body = re.search(rf"^struct {law} {{.*?^}};", text, re.MULTILINE | re.DOTALL).group()
+            body = re.search(rf"^struct {law}\b[^;]*\n.*?^}};", text, re.MULTILINE | re.DOTALL).group()
             words |= set(re.findall(r'(?:keyword = |option\(|or_word\()"(\w+)"', body))
     return words
 

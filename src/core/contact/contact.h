@@ -31,10 +31,13 @@ struct Frictionless {
   static constexpr double mu = 0.0;
 };
 
+// what resists at the surface: mi mj over mi + mj, mi over 1 at a wall, each less what spin gives way (sliding_mass)
 struct ContactMasses {
-  double effective;    // mi mj / (mi + mj), mi at a wall
-  double step;         // in which mass over it is force over velocity
-  double dt;           // time of a step
+  double product, sum;
+  double step;    // in which mass over it is force over velocity
+  double dt;      // time of a step
+
+  POTDEM_FUNCTION double over_step() const { return product / (sum * step); }
 };
 
 struct ContactForces {
@@ -44,18 +47,16 @@ struct ContactForces {
   double friction[3];    // on the first
 };
 
-// spin_share: what spin leaves of the mass at the surface
 template <bool SPIN>
 POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses,
-                                      double spin_share, double normal, double stiffness,
-                                      double shear_ratio, bool advance)
+                                      double normal, double stiffness, double shear_ratio,
+                                      bool advance)
 {
   const double inverse_r = 1.0 / at.r;
   Slide slide{{},          {inverse_r * at.del[0], inverse_r * at.del[1], inverse_r * at.del[2]},
               normal,      stiffness,
-              shear_ratio, spin_share * masses.effective,
-              masses.step, masses.dt,
-              advance};
+              shear_ratio, masses.over_step(),
+              masses.dt,   advance};
   sliding_velocity<SPIN>(at, slide.u);
   return slide;
 }
@@ -66,7 +67,7 @@ template <bool SPIN, class Kernel, class Geometry, class Rate, class Tangential,
 POTDEM_FUNCTION inline ContactForces
 contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double weight,
                const Rate &rate_law, const Tangential &tangential, double *state, bool advance,
-               double spin_share, Motion &&motion, Masses &&masses)
+               Motion &&motion, Masses &&masses)
 {
   ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {0.0, 0.0, 0.0}};
   double normal = found.elastic.force;
@@ -79,7 +80,7 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
   found.normal = weight * normal;
   if constexpr (!std::is_same_v<Tangential, Frictionless>) {
     if (found.normal > 0.0 && tangential.mu > 0.0)
-      tangential.force(slide_of<SPIN>(motion(), masses(), spin_share, found.normal,
+      tangential.force(slide_of<SPIN>(motion(), masses(), found.normal,
                                       weight * found.elastic.stiffness, shear_ratio_of(kernel, 0),
                                       advance),
                        state, found.friction);
@@ -89,7 +90,7 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
   return found;
 }
 
-// its tangent, for the critical step, at the distance r along n. spin_share as above, of a sphere that touches there
+// its tangent, for the critical step, at the distance r along n. spin_share: what spin leaves of the mass at the surface
 template <class Kernel, class Geometry, class Rate, class Tangential>
 POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry,
                                       double weight, const Rate &rate_law,
@@ -112,8 +113,7 @@ POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geom
                         weight * law.force,
                         weight * law.stiffness,
                         shear_ratio_of(kernel, 0),
-                        spin_share * masses.effective,
-                        masses.step,
+                        masses.over_step(),
                         masses.dt,
                         false};
       spring.friction = tangential.viscosity(slide) / spin_share;

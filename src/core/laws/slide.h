@@ -31,10 +31,9 @@ struct Slide {
   double stiffness;    // of the normal force
   double
       shear_ratio;    // of the tangential stiffness to the normal one, by the elasticity of both; 0: not known
-  double mass;     // that a force at the surface accelerates there
-  double step;     // in which mass over it is force over velocity
-  double dt;       // time of a step
-  bool advance;    // a step has been made: state may change
+  double mass_over_step;    // force over velocity: what ends the sliding within a step
+  double dt;                // time of a step
+  bool advance;             // a step has been made: state may change
 };
 
 // of a normal law's kernel; 0: it does not know

@@ -64,7 +64,7 @@ struct Sliding {
   {
     const double speed = std::sqrt(at.u[0] * at.u[0] + at.u[1] * at.u[1] + at.u[2] * at.u[2]);
     const double b =
-        speed > 0.0 ? factor(speed, at.normal, automatic != 0.0 ? at.mass / at.step : eta) : 0.0;
+        speed > 0.0 ? factor(speed, at.normal, automatic != 0.0 ? at.mass_over_step : eta) : 0.0;
     for (int k = 0; k < 3; k++) f[k] = -b * at.u[k];
   }
 

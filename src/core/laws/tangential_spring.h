@@ -40,7 +40,7 @@ struct SlipSpring {
 
   POTDEM_FUNCTION double viscosity(const Slide &at) const
   {
-    return 2.0 * xi * std::sqrt(k * at.mass * at.dt / at.step);
+    return 2.0 * xi * std::sqrt(k * at.mass_over_step * at.dt);
   }
 
   // the elastic part in the present plane of contact, for the present stiffness

@@ -107,7 +107,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void suspect(ThreadShare &, int i,
                int j) const;    // no address of what the loop keeps in registers
   POTDEM::ContactMotion motion(int i, int j) const;
-  POTDEM::ContactMasses masses(int i, int j) const;
+  POTDEM::ContactMasses masses(int i, int j, double spin_share) const;
   void dissipative(int pair, int i, int j, double r, double weight);
   double closest(int i, int j, const POTDEM::ContactMotion &, double most, double ahead) const;
   POTDEM::Spring spring(int i, int j, const POTDEM::ContactMotion &, double r, double weight) const;
@@ -120,6 +120,9 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void choose_rate(ThreadShare &, const Tangential *);
   template <class Tangential, bool SPIN, bool RATE, bool EV>
   void loop(ThreadShare &, const Tangential *);
+  template <bool SPIN>
+  void add_friction(const ThreadShare &, int i, int j, const double *del, const double *friction,
+                    double *push);
 };
 
 }    // namespace LAMMPS_NS

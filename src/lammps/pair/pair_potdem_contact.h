@@ -124,10 +124,12 @@ template <class Law> POTDEM::ContactMotion PairPotdem<Law>::motion(int i, int j)
   return found;
 }
 
-template <class Law> POTDEM::ContactMasses PairPotdem<Law>::masses(int i, int j) const
+// spin_share: what spin leaves of the mass at the surface
+template <class Law>
+POTDEM::ContactMasses PairPotdem<Law>::masses(int i, int j, double spin_share) const
 {
   const double mi = atom->rmass[i], mj = atom->rmass[j];
-  return {mi * mj / (mi + mj), update->dt / force->mvv2e, update->dt};
+  return {spin_share * mi * mj, mi + mj, update->dt / force->mvv2e, update->dt};
 }
 
 template <class Law>
@@ -169,14 +171,13 @@ void PairPotdem<Law>::dissipative(int pair, int i, int j, double r, double weigh
       return motion(i, j);
     };
     const auto both = [&] {
-      return masses(i, j);
+      return masses(i, j, rotation ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0);
     };
-    const double spin_share = rotation ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0;
     return rotation
         ? POTDEM::contact_forces<true>(kernels[pair], r, geometry(i, j), weight, rates[pair], rough,
-                                       state, false, spin_share, state_of_motion, both)
+                                       state, false, state_of_motion, both)
         : POTDEM::contact_forces<false>(kernels[pair], r, geometry(i, j), weight, rates[pair],
-                                        rough, state, false, spin_share, state_of_motion, both);
+                                        rough, state, false, state_of_motion, both);
   };
   const auto found = sliding ? std::visit(find, friction[pair]) : find(POTDEM::Frictionless());
   if (viscous) svector[VISCOUS] = found.viscous;
@@ -232,9 +233,10 @@ double PairPotdem<Law>::closest(int i, int j, const POTDEM::ContactMotion &state
 {
   const auto &kernel = kernels[at(atom->type[i], atom->type[j])];
   const auto partners = geometry(i, j);
+  const auto between = masses(i, j, 1.0);
   return POTDEM::closest_approach(state.r, POTDEM::rate_of_distance(state), ahead, most,
-                                  kernel.hard_core(partners), force->mvv2e * masses(i, j).effective,
-                                  [&](double r) {
+                                  kernel.hard_core(partners),
+                                  force->mvv2e * (between.product / between.sum), [&](double r) {
                                     return kernel.evaluate(r, partners);
                                   });
 }
@@ -254,7 +256,7 @@ POTDEM::Spring PairPotdem<Law>::spring(int i, int j, const POTDEM::ContactMotion
   return std::visit(
       [&](const auto &rough) {
         return POTDEM::contact_spring(kernels[pair], r, partners, weight, rates[pair], rough,
-                                      masses(i, j), spin_share, n);
+                                      masses(i, j, spin_share), spin_share, n);
       },
       friction[pair]);
 }

@@ -143,12 +143,14 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
       const auto motion = [&] {
         POTDEM::ContactMotion m{{del[0], del[1], del[2]}, r, {}, {}};
         for (int k = 0; k < 3; k++) m.v[k] = v[i][k] - v[j][k];
-        if (SPIN)
-          for (int k = 0; k < 3; k++) m.spin[k] = (ri * omega[i][k] + rj * omega[j][k]) / (ri + rj);
+        const double inverse = SPIN ? 1.0 / (ri + rj) : 0.0;
+        for (int k = 0; k < 3 && SPIN; k++)
+          m.spin[k] = inverse * (ri * omega[i][k] + rj * omega[j][k]);
         return m;
       };
       const auto masses = [&] {
-        return POTDEM::ContactMasses{rmass[i] * rmass[j] / (rmass[i] + rmass[j]), step, dt};
+        const double mi = rmass[i], mj = rmass[j];
+        return POTDEM::ContactMasses{spin_share * mi * mj, mi + mj, step, dt};
       };
       double *state = nullptr;
       if constexpr (Tangential::STATE > 0) state = contacts->touch(i, jj);
@@ -156,7 +158,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
       if constexpr (RATE) rate = rates[pair];
       const auto found = POTDEM::contact_forces<SPIN>(kernels[pair], r, partners, weight, rate,
                                                       SLIDE ? rough[pair] : frictionless, state,
-                                                      advance, spin_share, motion, masses);
+                                                      advance, motion, masses);
 
       const double along = found.normal / r;
       double push[3] = {along * del[0], along * del[1], along * del[2]};
@@ -165,19 +167,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
         const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
         note(FixPotdemLedger::VISCOUS, i, j, drag);
       }
-      if (SLIDE && found.normal > 0.0) {
-        for (int k = 0; k < 3; k++) push[k] += found.friction[k];
-        if (ledger) note(FixPotdemLedger::FRICTION, i, j, found.friction);
-        if (SPIN) {
-          const double lever_i = ri / (ri + rj), lever_j = rj / (ri + rj);
-          double turn[3];
-          POTDEM::torque_over_lever(del, found.friction, turn);
-          if (ledger) note_torque(i, j, lever_i, lever_j, turn);
-          for (int k = 0; k < 3; k++) share.torque[i][k] += lever_i * turn[k];
-          if (newton || j < nlocal)
-            for (int k = 0; k < 3; k++) share.torque[j][k] += lever_j * turn[k];
-        }
-      }
+      if (SLIDE && found.normal > 0.0) add_friction<SPIN>(share, i, j, del, found.friction, push);
       for (int k = 0; k < 3; k++) fi[k] += push[k];
       if (newton || j < nlocal)
         for (int k = 0; k < 3; k++) f[j][k] -= push[k];
@@ -185,6 +175,25 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
     }
     for (int k = 0; k < 3; k++) f[i][k] += fi[k];
   }
+}
+
+// to the force on i, and to the torques
+template <class Law>
+template <bool SPIN>
+inline void PairPotdem<Law>::add_friction(const ThreadShare &share, int i, int j, const double *del,
+                                          const double *friction, double *push)
+{
+  for (int k = 0; k < 3; k++) push[k] += friction[k];
+  if (ledger) note(FixPotdemLedger::FRICTION, i, j, friction);
+  if (!SPIN) return;
+  const double ri = atom->radius[i], rj = atom->radius[j], inverse = 1.0 / (ri + rj);
+  double turn[3];
+  POTDEM::torque_over_lever(del, friction, turn);
+  for (int k = 0; k < 3; k++) turn[k] *= inverse;
+  if (ledger) note_torque(i, j, ri, rj, turn);
+  for (int k = 0; k < 3; k++) share.torque[i][k] += ri * turn[k];
+  if (force->newton_pair || j < atom->nlocal)
+    for (int k = 0; k < 3; k++) share.torque[j][k] += rj * turn[k];
 }
 
 // what the second particle of a pair remembers, from what the first does

@@ -277,15 +277,17 @@ void FixPotdemWallRegion::bring_back(double *x) const
   domain->remap(x);
 }
 
-// wall: velocity of the surface
+// along the normal, for a distance of 1; wall: velocity of the surface
 void FixPotdemWallRegion::find_motion(int i, const PotdemWallSurface::Face &face,
                                       POTDEM::ContactMotion &motion, double *wall) const
 {
-  motion.r = face.r;
-  MathExtra::scale3(face.r, face.n, motion.del);
+  motion.r = 1.0;
+  MathExtra::copy3(face.n, motion.del);
   surface.velocity(face, wall);
   MathExtra::sub3(atom->v[i], wall, motion.v);
-  if (rotation) MathExtra::copy3(atom->omega[i], motion.spin);
+  if (!rotation) return;
+  MathExtra::copy3(atom->omega[i], motion.spin);
+  MathExtra::scale3(face.r, motion.spin);
 }
 
 template <bool MOVE, class Wall, class Rate>
@@ -304,12 +306,11 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
                id, atom->tag[i], r, update->ntimestep, hard_core);
   MathExtra::copy3(face.n, touch.n);
   touch.key = face.key;
-  if constexpr (MOVE)
-    find_motion(i, face, touch.motion, touch.wall);
-  else
-    MathExtra::scale3(r, face.n, touch.motion.del);
+  MathExtra::scale3(r, face.n, touch.del);
+  touch.r = r;
+  if constexpr (MOVE) find_motion(i, face, touch.motion, touch.wall);
   const auto found = POTDEM::contact_forces<false>(
-      wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false, 1.0,
+      wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false,
       [&touch]() -> const POTDEM::ContactMotion & {
         return touch.motion;
       },
@@ -363,7 +364,7 @@ bool FixPotdemWallRegion::out_of_plane(int i, const PotdemWallSurface::Face &fac
 // a force at the foot
 void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 {
-  const double *const del = touch.motion.del;
+  const double *const del = touch.del;
   double foot[3], turn[3];
   MathExtra::sub3(atom->x[i], del, foot);
   MathExtra::cross3(foot, f, turn);
@@ -381,9 +382,9 @@ void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 
 /* ---------------------------------------------------------------------- */
 
-POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i) const
+POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i, double share) const
 {
-  return {atom->rmass[i], update->dt / force->mvv2e, update->dt};
+  return {share * atom->rmass[i], 1.0, update->dt / force->mvv2e, update->dt};
 }
 
 // what spin leaves of the mass at the surface
@@ -405,10 +406,9 @@ template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(in
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
     if (!hold) {
-      const auto masses = masses_of(i);
-      const auto slide = POTDEM::slide_of<SPIN>(
-          touch.motion, masses, spin_share(touch.motion.r / atom->radius[i]), touch.normal,
-          touch.stiffness, touch.shear_ratio, !update->setupflag);
+      const auto masses = masses_of(i, spin_share(touch.r / atom->radius[i]));
+      const auto slide = POTDEM::slide_of<SPIN>(touch.motion, masses, touch.normal, touch.stiffness,
+                                                touch.shear_ratio, !update->setupflag);
       if (touch.normal > 0.0)
         rough.force(slide, state, touch.drag);
       else if (slide.advance && state)
@@ -417,7 +417,7 @@ template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(in
     add(i, touch, touch.drag);
     if (SPIN) {
       double turn[3];
-      POTDEM::torque_over_lever(touch.motion.del, touch.drag, turn);
+      POTDEM::torque_over_lever(touch.del, touch.drag, turn);
       MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
       if (ledger) ledger->add_torque(i, 1.0, turn);
     }
@@ -452,8 +452,8 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM:
         stop[k] = -mass_over_step * stop[k] - (f[k] - pressed * touch.n[k]);
       if (SPIN) {
         double roll[3];
-        MathExtra::cross3(touch.motion.del, torque, roll);
-        const double share = spin_share(touch.motion.r / ri);
+        MathExtra::cross3(touch.del, torque, roll);
+        const double share = spin_share(touch.r / ri);
         for (int k = 0; k < 3; k++) stop[k] = share * (stop[k] - roll[k] / (inertia * ri * ri));
       }
       MathExtra::add3(stop, touch.drag, stop);
@@ -462,7 +462,7 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM:
       MathExtra::copy3(stop, touch.drag);
       MathExtra::add3(f, more, f);
       if (SPIN) {
-        POTDEM::torque_over_lever(touch.motion.del, more, stop);
+        POTDEM::torque_over_lever(touch.del, more, stop);
         MathExtra::add3(torque, stop, torque);
       }
       change = std::fmax(change, MathExtra::len3(more));
@@ -509,7 +509,7 @@ double FixPotdemWallRegion::closest(int i, const PotdemWallSurface::Face &face, 
   double velocity[3];
   find_motion(i, face, state, velocity);
   const auto geometry = wall.geometry(atom->radius[i]);
-  return POTDEM::closest_approach(state.r, MathExtra::dot3(state.v, face.n), ahead,
+  return POTDEM::closest_approach(face.r, POTDEM::rate_of_distance(state), ahead,
                                   wall.reach(geometry.ri), wall.kernel.hard_core(geometry),
                                   force->mvv2e * atom->rmass[i], [&](double r) {
                                     return wall.kernel.evaluate(r, geometry);
@@ -522,10 +522,11 @@ POTDEM::Spring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face 
                                            const Wall &wall) const
 {
   const auto geometry = wall.geometry(atom->radius[i]);
+  const double share = spin_share(r / geometry.ri);
   return std::visit(
       [&](const auto &rough) {
-        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough, masses_of(i),
-                                      spin_share(r / geometry.ri), face.n);
+        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough,
+                                      masses_of(i, share), share, face.n);
       },
       friction);
 }

@@ -58,9 +58,9 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
  private:
   // a particle that touches a face
   struct Touch {
-    POTDEM::ContactMotion
-        motion;    // del: off the wall, from the foot on the surface to the centre
-    double n[3];
+    double n[3], r;                  // off the wall, and how far the centre is from the surface
+    double del[3];                   // from the foot there to the centre
+    POTDEM::ContactMotion motion;    // along n, for a distance of 1
     double normal, stiffness, shear_ratio;
     double wall[3];    // velocity of the surface at the foot
     double drag[3];    // friction
@@ -112,7 +112,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void find_motion(int i, const PotdemWallSurface::Face &, POTDEM::ContactMotion &,
                    double *wall) const;
   double spin_share(double r_over_ri) const;
-  POTDEM::ContactMasses masses_of(int i) const;
+  POTDEM::ContactMasses masses_of(int i, double share) const;
   template <class Wall> void add_stiffness_of(const Wall &, class PotdemStiffness &, double ahead);
   template <class Wall>
   double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;
