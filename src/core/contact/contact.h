@@ -61,6 +61,19 @@ POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMass
   return slide;
 }
 
+// slide(): Slide, only asked for where the two are pressed together: else there is nothing to hold on to. state: what the law
+// remembers, or null
+template <class Tangential, class MadeSlide>
+POTDEM_FUNCTION inline void friction_force(const Tangential &tangential, double normal,
+                                           bool advance, double *state, double *f,
+                                           MadeSlide &&slide)
+{
+  if (normal > 0.0 && tangential.mu > 0.0)
+    tangential.force(slide(), state, f);
+  else if (advance)
+    for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
+}
+
 // motion(): ContactMotion, masses(): ContactMasses, only asked for where they matter. state: what the tangential law remembers, or null
 template <bool SPIN, class Kernel, class Geometry, class Rate, class Tangential, class Motion,
           class Masses>
@@ -78,15 +91,11 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
       found.viscous = weight * (normal - found.elastic.force);
     }
   found.normal = weight * normal;
-  if constexpr (!std::is_same_v<Tangential, Frictionless>) {
-    if (found.normal > 0.0 && tangential.mu > 0.0)
-      tangential.force(slide_of<SPIN>(motion(), masses(), found.normal,
-                                      weight * found.elastic.stiffness, shear_ratio_of(kernel, 0),
-                                      advance),
-                       state, found.friction);
-    else if (advance)    // not pressed together: there is nothing to hold on to
-      for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
-  }
+  if constexpr (!std::is_same_v<Tangential, Frictionless>)
+    friction_force(tangential, found.normal, advance, state, found.friction, [&] {
+      return slide_of<SPIN>(motion(), masses(), found.normal, weight * found.elastic.stiffness,
+                            shear_ratio_of(kernel, 0), advance);
+    });
   return found;
 }
 

@@ -5,6 +5,8 @@
 
 #include "lammps/glue/find_styles.h"
 
+#include "lammps/glue/interfaces.h"
+
 #include "bond_hybrid.h"
 #include "pair_hybrid.h"
 
@@ -49,4 +51,11 @@ bool LAMMPS_NS::potdem_serves(const Force *force, const Bond *style, int bond_ty
   if (!hybrid) return true;
   const int part = (hybrid->*&BondHybridParts::map)[bond_type];
   return part >= 0 && hybrid->styles[part] == style;
+}
+
+PotdemEnergies LAMMPS_NS::potdem_energies(LAMMPS *lmp)
+{
+  PotdemEnergies all;
+  for (auto *const source : potdem_find<EnergySource>(lmp)) source->add_energy_to(all);
+  return all;
 }

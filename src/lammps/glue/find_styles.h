@@ -43,6 +43,8 @@ template <class Offered> std::vector<Offered *> potdem_find(LAMMPS *lmp)
   return found;
 }
 
+struct PotdemEnergies potdem_energies(LAMMPS *);    // of all EnergySources
+
 }    // namespace LAMMPS_NS
 
 #endif

@@ -105,8 +105,7 @@ void ComputePotdemEnergy::compute_vector()
   vector[BONDS] = all[1];
   vector[CONTACTS] = all[2];
   vector[GRAVITY] = of_gravity();
-  PotdemEnergies kept;
-  for (auto *const source : potdem_find<EnergySource>(lmp)) source->add_energy_to(kept);
+  const auto kept = potdem_energies(lmp);
   vector[WALLS] = kept.walls;
   vector[FRACTURE] = kept.fracture;
   vector[SPRINGS] = kept.springs;

@@ -64,9 +64,7 @@ void FixPotdemLedger::pre_force(int /*vflag*/)
 void FixPotdemLedger::setup(int /*vflag*/)
 {
   if (!begun) {
-    PotdemEnergies kept;
-    for (auto *const source : potdem_find<EnergySource>(lmp)) source->add_energy_to(kept);
-    springs = kept.springs;
+    springs = potdem_energies(lmp).springs;
     begun = true;
   }
   rate = powers();

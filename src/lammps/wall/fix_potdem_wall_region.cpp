@@ -396,6 +396,7 @@ double FixPotdemWallRegion::spin_share(double r_over_ri) const
 template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(int i)
 {
   const auto &rough = std::get<Tangential>(friction);
+  const bool advance = !update->setupflag;
   bool hold = false;
   if constexpr (std::is_same_v<Tangential, POTDEM::Sliding>) {
     hold = rough.automatic != 0.0;
@@ -405,15 +406,12 @@ template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(in
     if (!hold) MathExtra::zero3(touch.drag);
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
-    if (!hold) {
-      const auto masses = masses_of(i, spin_share(touch.r / atom->radius[i]));
-      const auto slide = POTDEM::slide_of<SPIN>(touch.motion, masses, touch.normal, touch.stiffness,
-                                                touch.shear_ratio, !update->setupflag);
-      if (touch.normal > 0.0)
-        rough.force(slide, state, touch.drag);
-      else if (slide.advance && state)
-        std::fill_n(state, Tangential::STATE, 0.0);
-    }
+    if (!hold)
+      POTDEM::friction_force(rough, touch.normal, advance, state, touch.drag, [&] {
+        const auto masses = masses_of(i, spin_share(touch.r / atom->radius[i]));
+        return POTDEM::slide_of<SPIN>(touch.motion, masses, touch.normal, touch.stiffness,
+                                      touch.shear_ratio, advance);
+      });
     add(i, touch, touch.drag);
     if (SPIN) {
       double turn[3];
