@@ -143,10 +143,15 @@ TEST(Hertz, AShorterContactDistance)
 constexpr double H = 0.02, E = 4e6, nu = 0.25, r = 0.9;
 const ContactGeometry spheres{0.5, 0.5, 1.0};
 
+Approach approach(double rate)
+{
+  const auto elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres);
+  return {elastic.force, elastic.energy, spheres.contact - r, rate, 1.0};
+}
+
 double total(bool attract, double rate)
 {
-  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
-  return Viscous{H, attract ? 1.0 : 0.0}.total(elastic, spheres.contact - r, rate);
+  return Viscous{H, attract ? 1.0 : 0.0}.total(approach(rate));
 }
 
 double literal(double rate)
@@ -177,16 +182,14 @@ TEST(HertzViscous, DoesNotAttractUnlessAskedTo)
 
 TEST(HertzViscous, WithoutViscosityTheElasticForce)
 {
-  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
   for (const double rate : {-1e6, 0.0, 1e6})
-    EXPECT_EQ((Viscous{0.0, 0.0}.total(elastic, spheres.contact - r, rate)), elastic);
+    EXPECT_EQ((Viscous{0.0, 0.0}.total(approach(rate))), approach(rate).force);
 }
 
 TEST(HertzViscous, ItsViscosityIsTheSlopeOverTheRate)
 {
-  const double elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres).force;
   const Viscous law{H, 0.0};
-  EXPECT_DOUBLE_EQ(law.viscosity(elastic, 1.0 - r), literal(-1.0) - literal(0.0));
+  EXPECT_DOUBLE_EQ(law.viscosity(approach(0.0)), literal(-1.0) - literal(0.0));
 }
 
 }    // namespace

@@ -10,12 +10,15 @@
 #define POTDEM_CONTACT_H
 
 #include "core/contact/kinematics.h"
+#include "core/laws/approach.h"
 #include "core/laws/coefficients.h"
 #include "core/laws/device.h"
 #include "core/laws/evaluation.h"
+#include "core/laws/rolling.h"
 #include "core/laws/slide.h"
 #include "core/stability/spring.h"
 
+#include <cmath>
 #include <type_traits>
 
 namespace POTDEM {
@@ -23,7 +26,8 @@ namespace POTDEM {
 // no rate law, no tangential law
 struct Elastic {
   static constexpr std::array<Coefficient<Elastic>, 0> coefficients() { return {}; }
-  POTDEM_FUNCTION static constexpr bool active() { return false; }
+  template <class Law> static constexpr bool serves() { return true; }
+  static constexpr bool active() { return false; }
   static Elastic mixed(const Elastic &, const Elastic &) { return {}; }
 };
 struct Frictionless {
@@ -34,47 +38,107 @@ struct Frictionless {
 // what resists at the surface: mi mj over mi + mj, mi over 1 at a wall, each less what spin gives way (sliding_mass)
 struct ContactMasses {
   double product, sum;
-  double step;    // in which mass over it is force over velocity
-  double dt;      // time of a step
+  double step;                // in which mass over it is force over velocity
+  double dt;                  // time of a step
+  double spin_share = 1.0;    // of the product: what spin leaves
+  // to rolling and twisting: 1/(R^2/I1 + R^2/I2), and the larger of R^2 m/I (rolling.h)
+  double rolling = 0.0, rolling_lever = 0.0;
 
   POTDEM_FUNCTION double over_step() const { return product / (sum * step); }
+  POTDEM_FUNCTION double along_normal() const { return product * dt / (sum * spin_share * step); }
+};
+
+// of two particles, and what it knows of rolling
+POTDEM_FUNCTION inline ContactMasses with_rolling(ContactMasses masses, double mi, double mj,
+                                                  double ri, double rj)
+{
+  const double dbar = ri + rj, lever = (ri > rj ? ri : rj) / dbar;
+  masses.rolling = SPHERE_INERTIA * mi * mj * dbar * dbar / (rj * rj * mj + ri * ri * mi);
+  masses.rolling_lever = lever * lever / SPHERE_INERTIA;
+  return masses;
+}
+
+struct SurfaceForces {
+  double friction[3];    // on the first
+  double torque[3];      // likewise, beside that of friction: of rolling and twisting
 };
 
 struct ContactForces {
   Evaluation elastic;    // of the normal law; the others carry the weight
   double normal;
-  double viscous;        // the part of `normal` that has no potential
-  double friction[3];    // on the first
+  double viscous;    // the part of `normal` that has no potential
+  SurfaceForces surface;
+};
+
+// a contact that is pressed together, as tangential laws see it
+struct Pressed {
+  double normal, stiffness;    // of the normal force
+  double shear_ratio;          // of its law
+  double R;                    // effective radius
+  bool advance;
 };
 
 template <bool SPIN>
 POTDEM_FUNCTION inline Slide slide_of(const ContactMotion &at, const ContactMasses &masses,
-                                      double normal, double stiffness, double shear_ratio,
-                                      bool advance)
+                                      const Pressed &pressed)
 {
   const double inverse_r = 1.0 / at.r;
-  Slide slide{{},          {inverse_r * at.del[0], inverse_r * at.del[1], inverse_r * at.del[2]},
-              normal,      stiffness,
-              shear_ratio, masses.over_step(),
-              masses.dt,   advance};
+  Slide slide{{},
+              {inverse_r * at.del[0], inverse_r * at.del[1], inverse_r * at.del[2]},
+              pressed.normal,
+              pressed.stiffness,
+              pressed.shear_ratio,
+              masses.over_step(),
+              masses.dt,
+              pressed.advance,
+              SPIN ? masses.dt * inverse_r * dot(at.spin_of_both, at.del) : 0.0};
   sliding_velocity<SPIN>(at, slide.u);
   return slide;
 }
 
-// slide(): Slide, only asked for where the two are pressed together: else there is nothing to hold on to. state: what the law
-// remembers, or null
-template <class Tangential, class MadeSlide>
-POTDEM_FUNCTION inline void friction_force(const Tangential &tangential, double normal,
-                                           bool advance, double *state, double *f,
-                                           MadeSlide &&slide)
+// of what turns
+template <class Tangential>
+POTDEM_FUNCTION inline void rolling_torque(const Tangential &tangential, const ContactMotion &at,
+                                           const ContactMasses &masses, const Pressed &pressed,
+                                           double *state, double *torque)
 {
-  if (normal > 0.0 && tangential.mu > 0.0)
-    tangential.force(slide(), state, f);
-  else if (advance)
-    for (int k = 0; k < Tangential::STATE; k++) state[k] = 0.0;
+  auto roll = slide_of<true>(at, masses, pressed);
+  const double *const w = at.spin_between, *const n = roll.n;
+  roll.u[0] = pressed.R * (w[1] * n[2] - w[2] * n[1]);
+  roll.u[1] = pressed.R * (w[2] * n[0] - w[0] * n[2]);
+  roll.u[2] = pressed.R * (w[0] * n[1] - w[1] * n[0]);
+  roll.mass_over_step = masses.rolling / masses.step;
+  tangential.resistance.torque(roll, pressed.R, dot(w, n), state, torque);
 }
 
-// motion(): ContactMotion, masses(): ContactMasses, only asked for where they matter. state: what the tangential law remembers, or null
+// motion(): ContactMotion, masses(): ContactMasses, only asked for where the two are pressed together: else there is nothing to hold
+// on to. state: what the law remembers, or null
+template <bool SPIN, class Tangential, class Motion, class Masses>
+POTDEM_FUNCTION inline void surface_forces(const Tangential &tangential, const Pressed &pressed,
+                                           double *state, SurfaceForces &found, Motion &&motion,
+                                           Masses &&masses)
+{
+  const bool slides = pressed.normal > 0.0 && tangential.mu > 0.0;
+  if (slides) tangential.force(slide_of<SPIN>(motion(), masses(), pressed), state, found.friction);
+  if constexpr (is_rolling<Tangential>) {
+    double *const rolling = state + Tangential::SLIDING_STATE;
+    if (pressed.normal > 0.0)
+      rolling_torque(tangential, motion(), masses(), pressed, rolling, found.torque);
+    else if (pressed.advance)
+      for (int k = 0; k < RollingResistance::STATE; k++) rolling[k] = 0.0;
+  }
+  constexpr int SLIDING_STATE = sliding_state<Tangential>();
+  if (!slides && pressed.advance)
+    for (int k = 0; k < SLIDING_STATE; k++) state[k] = 0.0;
+}
+
+POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
+                                         double weight, const ContactMasses &masses)
+{
+  return {elastic.force, elastic.energy, overlap, rate, masses.along_normal() / weight};
+}
+
+// motion and masses as above. state: what the tangential law remembers, or null
 template <bool SPIN, class Kernel, class Geometry, class Rate, class Tangential, class Motion,
           class Masses>
 POTDEM_FUNCTION inline ContactForces
@@ -82,29 +146,60 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
                const Rate &rate_law, const Tangential &tangential, double *state, bool advance,
                Motion &&motion, Masses &&masses)
 {
-  ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {0.0, 0.0, 0.0}};
+  ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
   double normal = found.elastic.force;
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact) {
-      const double rate = rate_of_distance(motion());
-      normal = rate_law.total(found.elastic.force, geometry.contact - r, rate);
+      normal = rate_law.total(approach(found.elastic, geometry.contact - r,
+                                       rate_of_distance(motion()), weight, masses()));
       found.viscous = weight * (normal - found.elastic.force);
     }
   found.normal = weight * normal;
-  if constexpr (!std::is_same_v<Tangential, Frictionless>)
-    friction_force(tangential, found.normal, advance, state, found.friction, [&] {
-      return slide_of<SPIN>(motion(), masses(), found.normal, weight * found.elastic.stiffness,
-                            shear_ratio_of(kernel, 0), advance);
-    });
+  if constexpr (!std::is_same_v<Tangential, Frictionless>) {
+    const Pressed pressed{found.normal, weight * found.elastic.stiffness, shear_ratio_of(kernel, 0),
+                          geometry.effective_radius(), advance};
+    surface_forces<SPIN>(tangential, pressed, state, found.surface, motion, masses);
+  }
   return found;
 }
 
-// its tangent, for the critical step, at the distance r along n. spin_share: what spin leaves of the mass at the surface
+// what they resist displacements of the surface with. Rolling and twisting only turn the bodies: their springs, over I/R^2 for the mass,
+// beside those that only turn them the same way
+template <class Tangential>
+POTDEM_FUNCTION inline void add_surface(const Tangential &tangential, const Pressed &pressed,
+                                        const ContactMasses &masses, Spring &spring)
+{
+  Slide slide{{},
+              {spring.n[0], spring.n[1], spring.n[2]},
+              pressed.normal,
+              pressed.stiffness,
+              pressed.shear_ratio,
+              masses.over_step(),
+              masses.dt,
+              false};
+  if (tangential.mu > 0.0) {
+    spring.friction = tangential.viscosity(slide) / masses.spin_share;
+    if constexpr (sliding_state<Tangential>() > 0)
+      spring.across = tangential.stiffness(slide) / masses.spin_share;
+  }
+  if constexpr (is_rolling<Tangential>) {
+    slide.mass_over_step = masses.rolling / masses.step;
+    const auto rolling = tangential.resistance.rolling(slide.stiffness),
+               twisting = tangential.resistance.twisting(slide.stiffness);
+    const double lever = masses.rolling_lever;
+    spring.across = std::fmax(spring.across, 0.0) + lever * rolling.k;
+    spring.friction += lever * rolling.viscosity(slide);
+    spring.along = std::fmax(spring.along, lever * twisting.k);
+    spring.viscosity = std::fmax(spring.viscosity, lever * twisting.viscosity(slide));
+  }
+}
+
+// its tangent, for the critical step, at the distance r along n
 template <class Kernel, class Geometry, class Rate, class Tangential>
 POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry,
                                       double weight, const Rate &rate_law,
                                       const Tangential &tangential, const ContactMasses &masses,
-                                      double spin_share, const double *n)
+                                      const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
   Spring spring{{n[0], n[1], n[2]},
@@ -114,20 +209,14 @@ POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geom
                 0.0};
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact)
-      spring.viscosity = weight * rate_law.viscosity(law.force, geometry.contact - r);
+      spring.viscosity =
+          weight * rate_law.viscosity(approach(law, geometry.contact - r, 0.0, weight, masses));
   if constexpr (!std::is_same_v<Tangential, Frictionless>)
-    if (law.force > 0.0 && tangential.mu > 0.0) {
-      const Slide slide{{},
-                        {n[0], n[1], n[2]},
-                        weight * law.force,
-                        weight * law.stiffness,
-                        shear_ratio_of(kernel, 0),
-                        masses.over_step(),
-                        masses.dt,
-                        false};
-      spring.friction = tangential.viscosity(slide) / spin_share;
-      if constexpr (Tangential::STATE > 0) spring.across = tangential.stiffness(slide) / spin_share;
-    }
+    if (law.force > 0.0)
+      add_surface(
+          tangential,
+          {weight * law.force, weight * law.stiffness, shear_ratio_of(kernel, 0), 0.0, false},
+          masses, spring);
   return spring;
 }
 

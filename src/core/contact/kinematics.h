@@ -8,7 +8,8 @@
    del points from the second to the first centre (from a wall's surface to the centre), r is its length, v the velocity of
    the first over the second one. Where surfaces move with the spin (SPIN), `spin` is the sum over the two of
    lever * angular velocity: lever = radius / (ri + rj) of a pair, 1 of a particle at a wall; the arm from a centre to the
-   contact is lever * del long. */
+   contact is lever * del long. `spin_between` is the angular velocity of the first over that of the second, `spin_of_both` their
+   mean. */
 
 #ifndef POTDEM_KINEMATICS_H
 #define POTDEM_KINEMATICS_H
@@ -20,8 +21,20 @@ namespace POTDEM {
 struct ContactMotion {
   double del[3], r;
   double v[3];
-  double spin[3];
+  double spin[3], spin_between[3], spin_of_both[3];
 };
+
+// of two particles
+POTDEM_FUNCTION inline void spin_of(const double *wi, const double *wj, double ri, double rj,
+                                    ContactMotion &at)
+{
+  const double inverse = 1.0 / (ri + rj);
+  for (int k = 0; k < 3; k++) {
+    at.spin[k] = inverse * (ri * wi[k] + rj * wj[k]);
+    at.spin_between[k] = wi[k] - wj[k];
+    at.spin_of_both[k] = 0.5 * (wi[k] + wj[k]);
+  }
+}
 
 POTDEM_FUNCTION inline double dot(const double *a, const double *b)
 {

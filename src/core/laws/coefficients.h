@@ -60,6 +60,10 @@ constexpr Range fraction()
 {
   return {0.0, 1.0, false, true, false};
 }
+constexpr Range up_to_one()    // not 0
+{
+  return {0.0, 1.0, true, false, false};
+}
 constexpr Range poisson_ratio()
 {
   return {-1.0, 0.5, true, false, false};

@@ -11,11 +11,13 @@
 #include "hertz.h"
 #include "mindlin.h"
 #include "regularised_granular.h"
+#include "restitution.h"
 #include "shifted_lj.h"
 #include "sliding.h"
 #include "tangential_spring.h"
 #include "truss.h"
 #include "truss_contact.h"
+#include "viscous.h"
 
 // clang-format off
 
@@ -29,6 +31,11 @@
 // X(name, Law): bond_style potdem/NAME
 #define BOND_LAWS(X) \
   X(truss, Truss)
+
+// X(Law): a keyword of both, for the normal laws that it serves
+#define RATE_LAWS(X) \
+  X(Viscous) \
+  X(Restitution)
 
 // X(Law): 'friction mu KEYWORD ...' of both; the first has no keyword
 #define TANGENTIAL_LAWS(X) \

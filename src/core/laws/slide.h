@@ -34,6 +34,7 @@ struct Slide {
   double mass_over_step;    // force over velocity: what ends the sliding within a step
   double dt;                // time of a step
   bool advance;             // a step has been made: state may change
+  double turn = 0.0;        // angle by which both turn about n together within a step
 };
 
 // of a normal law's kernel; 0: it does not know

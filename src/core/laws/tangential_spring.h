@@ -43,11 +43,17 @@ struct SlipSpring {
     return 2.0 * xi * std::sqrt(k * at.mass_over_step * at.dt);
   }
 
-  // the elastic part in the present plane of contact, for the present stiffness
+  // the elastic part in the present plane of contact, turned with the two about n, for the present stiffness
   POTDEM_FUNCTION void turned(const Slide &at, const double *state, double *T) const
   {
-    const double out = state[0] * at.n[0] + state[1] * at.n[1] + state[2] * at.n[2];
-    for (int c = 0; c < 3; c++) T[c] = state[c] - out * at.n[c];
+    const double *const n = at.n;
+    const double out = state[0] * n[0] + state[1] * n[1] + state[2] * n[2];
+    for (int c = 0; c < 3; c++) T[c] = state[c] - out * n[c];
+    if (at.turn != 0.0 && at.advance) {
+      T[0] += at.turn * (n[1] * state[2] - n[2] * state[1]);
+      T[1] += at.turn * (n[2] * state[0] - n[0] * state[2]);
+      T[2] += at.turn * (n[0] * state[1] - n[1] * state[0]);
+    }
     const double left = square(T);
     if (left == 0.0) return;
     const double scale = std::sqrt(square(state) / left) * (k < state[3] ? k / state[3] : 1.0);
@@ -74,6 +80,21 @@ struct SlipSpring {
     if (!at.advance) return;
     for (int d = 0; d < 3; d++) state[d] = T[d];
     state[3] = k;
+  }
+
+  // the same for a motion along the normal at the speed u. state: T, k
+  POTDEM_FUNCTION double force_along(const Slide &at, double u, double *state) const
+  {
+    const double most = mu * at.normal;
+    double T = state[0] * (k < state[1] ? k / state[1] : 1.0);
+    if (at.advance) T -= k * u * at.dt;
+    T = std::fmax(-most, std::fmin(most, T));
+    const double damped = xi > 0.0 ? T - viscosity(at) * u : T;
+    if (at.advance) {
+      state[0] = T;
+      state[1] = k;
+    }
+    return std::fmax(-most, std::fmin(most, damped));
   }
 
   // as the second particle sees it

@@ -13,6 +13,7 @@
 #ifndef POTDEM_VISCOUS_H
 #define POTDEM_VISCOUS_H
 
+#include "approach.h"
 #include "coefficients.h"
 #include "device.h"
 
@@ -27,6 +28,8 @@ struct Viscous {
                       setting("attract", &Viscous::attract)};
   }
 
+  template <class Law> static constexpr bool serves() { return Law::rate_dependent; }
+
   POTDEM_FUNCTION bool active() const { return H > 0.0; }
 
   static Viscous mixed(const Viscous &a, const Viscous &b)
@@ -34,18 +37,14 @@ struct Viscous {
     return {0.5 * (a.H + b.H), a.attract != 0.0 || b.attract != 0.0 ? 1.0 : 0.0};
   }
 
-  // total force; rate: of the distance, so that -rate is that of the overlap
-  POTDEM_FUNCTION double total(double elastic, double overlap, double rate) const
+  POTDEM_FUNCTION double total(const Approach &at) const
   {
-    const double sum = elastic * (1.0 - H * rate / overlap);
+    const double sum = at.force * (1.0 - H * at.rate / at.overlap);
     return attract != 0.0 || sum > 0.0 ? sum : 0.0;
   }
 
   // force over velocity
-  POTDEM_FUNCTION double viscosity(double elastic, double overlap) const
-  {
-    return elastic * H / overlap;
-  }
+  POTDEM_FUNCTION double viscosity(const Approach &at) const { return at.force * H / at.overlap; }
 };
 
 }    // namespace POTDEM

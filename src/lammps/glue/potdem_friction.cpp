@@ -5,10 +5,17 @@
 
 #include "lammps/glue/potdem_friction.h"
 
+#include "lammps/glue/potdem_any_law.h"
+
+#include <algorithm>
+#include <utility>
+
 using namespace LAMMPS_NS;
 
+const char *const LAMMPS_NS::POTDEM_FRICTION_NAMES = "friction, rolling, twisting";
+
 // the law that the keyword after mu says
-static PotdemFriction law_by_keyword(PotdemInput &input)
+static PotdemTangential::Laws::Any law_by_keyword(PotdemInput &input)
 {
 #define POTDEM_TRY(Law) \
   if (*POTDEM::Law::keyword && input.next_is(POTDEM::Law::keyword)) return POTDEM::Law{};
@@ -17,7 +24,7 @@ static PotdemFriction law_by_keyword(PotdemInput &input)
   return {};
 }
 
-PotdemFriction LAMMPS_NS::potdem_read_friction(PotdemMaterialInput &input)
+static PotdemTangential::Laws::Any read_law(PotdemMaterialInput &input)
 {
   const double mu = input.friction_mu();
   auto found = law_by_keyword(input);
@@ -34,14 +41,22 @@ PotdemFriction LAMMPS_NS::potdem_read_friction(PotdemMaterialInput &input)
   return found;
 }
 
-std::string LAMMPS_NS::potdem_friction_text(const PotdemFriction &friction)
+bool LAMMPS_NS::potdem_read_friction(PotdemMaterialInput &input, PotdemFriction &friction)
+{
+  if (!input.next_is("friction"))
+    return potdem_read_option(input, potdem_rows(friction.resistance));
+  friction.law = read_law(input);
+  return true;
+}
+
+static std::string text_of(PotdemTangential::Laws::Any any)
 {
   return std::visit(
-      [](auto law) -> std::string {
+      [](auto &law) -> std::string {
         auto rows = potdem_rows(law);
-        bool given = false;
-        for (const auto &row : rows)
-          given = given || *row.value != 0.0 || (row.word && *row.word_given != 0.0);
+        const bool given = std::any_of(rows.begin(), rows.end(), [](const PotdemLawRow &row) {
+          return *row.value != 0.0 || (row.word && *row.word_given != 0.0);
+        });
         if (!given) return "";
         rows.erase(rows.begin());
         const auto rest = potdem_text(rows);
@@ -49,7 +64,14 @@ std::string LAMMPS_NS::potdem_friction_text(const PotdemFriction &friction)
         if (*law.keyword) text += std::string(" ") + law.keyword;
         return rest.empty() ? text : text + " " + rest;
       },
-      friction);
+      any);
+}
+
+std::string LAMMPS_NS::potdem_friction_text(const PotdemFriction &friction)
+{
+  auto resistance = friction.resistance;
+  const auto rest = potdem_text(potdem_rows(resistance));
+  return text_of(friction.law) + (rest.empty() ? "" : " " + rest);
 }
 
 double LAMMPS_NS::potdem_friction_mu(const PotdemFriction &friction)
@@ -58,31 +80,32 @@ double LAMMPS_NS::potdem_friction_mu(const PotdemFriction &friction)
       [](const auto &law) {
         return law.mu;
       },
-      friction);
+      friction.law);
 }
 
 double *LAMMPS_NS::potdem_friction_coefficient(PotdemFriction &friction, const std::string &name)
 {
-  return std::visit(
-      [&name](auto &law) {
-        return potdem_coefficient(potdem_rows(law), name);
-      },
-      friction);
+  double *const of_law = potdem_coefficient(potdem_any_rows(friction.law), name);
+  return of_law ? of_law : potdem_coefficient(potdem_rows(friction.resistance), name);
 }
 
 bool LAMMPS_NS::potdem_friction_is_auto(const PotdemFriction &friction)
 {
-  const auto *const sliding = std::get_if<POTDEM::Sliding>(&friction);
+  const auto *const sliding = std::get_if<POTDEM::Sliding>(&friction.law);
   return sliding && sliding->automatic != 0.0;
 }
 
+bool LAMMPS_NS::potdem_friction_acts(const PotdemFriction &friction)
+{
+  return potdem_friction_mu(friction) > 0.0 || friction.resistance.active();
+}
+
+// with mu = 0 too: fix adapt may raise it
 int LAMMPS_NS::potdem_friction_state(const PotdemFriction &friction)
 {
-  return std::visit(
-      [](const auto &law) {
-        return law.STATE;    // with mu = 0 too: fix adapt may raise it
-      },
-      friction);
+  return potdem_visit(friction, [](const auto &law) {
+    return law.STATE;
+  });
 }
 
 template <class Law>
@@ -101,54 +124,77 @@ bool LAMMPS_NS::potdem_friction_needs_shear_ratio(const PotdemFriction &friction
       [](const auto &law) {
         return needs_shear_ratio(law, 0);
       },
-      friction);
+      friction.law);
 }
 
 double LAMMPS_NS::potdem_friction_energy(const PotdemFriction &friction, const double *state)
 {
-  return std::visit(
-      [state](const auto &law) {
-        if constexpr (std::decay_t<decltype(law)>::STATE > 0) return law.energy(state);
-        return 0.0;
-      },
-      friction);
+  return potdem_visit(friction, [state](const auto &law) {
+    if constexpr (std::decay_t<decltype(law)>::STATE > 0) return law.energy(state);
+    return 0.0;
+  });
 }
 
 bool LAMMPS_NS::potdem_mix_friction(const PotdemFriction &a, const PotdemFriction &b,
                                     PotdemFriction &mixed)
 {
-  if (a.index() != b.index()) {
+  mixed.resistance = POTDEM::RollingResistance::mixed(a.resistance, b.resistance);
+  if (a.law.index() != b.law.index()) {
     const bool a_none = potdem_friction_mu(a) == 0.0, b_none = potdem_friction_mu(b) == 0.0;
-    if (a_none || b_none) mixed = a_none ? a : b;
+    if (a_none || b_none) mixed.law = a_none ? a.law : b.law;
     return a_none || b_none;
   }
-  mixed = std::visit(
-      [&b](const auto &law) -> PotdemFriction {
-        using Law = std::decay_t<decltype(law)>;
-        return Law::mixed(law, std::get<Law>(b));
-      },
-      a);
+  mixed.law = potdem_any_mixed(a.law, b.law);
   return true;
+}
+
+// of several without friction, the law that keeps most
+void LAMMPS_NS::potdem_align_friction(std::vector<PotdemFriction> &all)
+{
+  const auto rank = [](const PotdemFriction &one) {
+    return std::pair(potdem_friction_mu(one) > 0.0, potdem_friction_state(one));
+  };
+  const auto first =
+      std::max_element(all.begin(), all.end(), [&rank](const auto &a, const auto &b) {
+        return rank(a) < rank(b);
+      });
+  const auto law = std::visit(
+      [](const auto &found) -> PotdemTangential::Laws::Any {
+        return std::decay_t<decltype(found)>();
+      },
+      first->law);
+  for (auto &one : all)
+    if (potdem_friction_mu(one) == 0.0 && one.law.index() != law.index()) one.law = law;
 }
 
 bool LAMMPS_NS::potdem_same_law(const std::vector<PotdemFriction> &all, PotdemFrictions &found)
 {
-  found = std::monostate();
-  const PotdemFriction *first = nullptr;
-  for (const auto &one : all) {
-    if (potdem_friction_mu(one) == 0.0) continue;
-    if (!first) first = &one;
-    if (first->index() != one.index()) return false;
-  }
-  if (!first) return true;
-  std::visit(
-      [&](const auto &law) {
-        using Law = std::decay_t<decltype(law)>;
-        std::vector<Law> laws;
-        for (const auto &one : all)
-          laws.push_back(std::holds_alternative<Law>(one) ? std::get<Law>(one) : Law{});
-        found = std::move(laws);
-      },
-      *first);
-  return true;
+  const auto rolls = [](const PotdemFriction &one) {
+    return one.resistance.active();
+  };
+  const bool rolling = std::any_of(all.begin(), all.end(), rolls);
+  const auto matters = [&](const PotdemFriction &one) {
+    return potdem_friction_mu(one) > 0.0 || rolls(one);
+  };
+  const auto law_of = [](const PotdemFriction &one) -> const auto &
+  {
+    return one.law;
+  };
+  const auto nothing = [&found] {
+    found = std::monostate();
+  };
+  const auto make = [&](const auto &law) {
+    using Law = std::decay_t<decltype(law)>;
+    std::vector<Law> sliding;
+    std::vector<POTDEM::Rolls<Law>> laws;
+    for (const auto &one : all) {
+      sliding.push_back(std::holds_alternative<Law>(one.law) ? std::get<Law>(one.law) : Law{});
+      laws.push_back({sliding.back(), one.resistance});
+    }
+    if (rolling)
+      found = std::move(laws);
+    else
+      found = std::move(sliding);
+  };
+  return potdem_one_law(all, matters, law_of, nothing, make);
 }

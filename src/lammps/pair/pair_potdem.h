@@ -10,8 +10,8 @@
    A law is a trivially copyable struct of coefficients with
      coefficients(), complete(), mixed()       core/laws/coefficients.h
      double reach(double dbar) const           interaction distance for mean diameter dbar
-     contact_only                              reach is dbar: the short neighbour list by diameters will do
-     rate_dependent                            a rate law may act beside it
+     contact_only                              reach is dbar: the short neighbour list by diameters will do; it only repels
+     rate_dependent                            'viscous H' may act beside it
      Kernel kernel(bool shift) const           the law made ready for the loop, once per init
    and a Kernel has evaluate(r, geometry) -> Evaluation and hard_core(geometry), the distance that must not be reached. */
 
@@ -20,8 +20,8 @@
 
 #include "core/contact/contact.h"
 #include "core/laws/law_list.h"
-#include "core/laws/viscous.h"
 #include "lammps/glue/potdem_friction.h"
+#include "lammps/glue/potdem_rate.h"
 #include "lammps/pair/pair_potdem_base.h"
 
 namespace LAMMPS_NS {
@@ -49,7 +49,6 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void add_energy_to(PotdemEnergies &) override;
 
  protected:
-  using Rate = std::conditional_t<Law::rate_dependent, POTDEM::Viscous, POTDEM::Elastic>;
   using Kernel = typename Law::Kernel;
 
   int begin_work();
@@ -59,15 +58,17 @@ template <class Law> class PairPotdem : public PairPotdemBase {
  private:
   // per pair of types
   std::vector<Law> laws;
-  std::vector<Rate> rates;
+  std::vector<bool> law_mixed;    // given, but for the law itself
+  std::vector<PotdemRate> rates;
   std::vector<PotdemFriction> friction;
   std::vector<Kernel> kernels;
   std::vector<double>
       alarm;    // distance over dbar below which a pair may have collapsed or be doubtful
 
-  Rate of_style;                // what pair_style itself says about rates
-  PotdemFrictions frictions;    // those of the one law in use, once it is known
-  bool frictions_known;
+  PotdemRate of_style;          // what pair_style itself says about rates
+  PotdemRates dashpots;         // those of the one law in use, once it is known
+  PotdemFrictions frictions;    // likewise
+  bool kernel_known;
   bool sliding, viscous;    // any friction, any viscous part at all
   double monitored_step;    // for which the alarms are set
 
@@ -79,7 +80,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   std::vector<Adaptable> adaptable;
 
   // the columns that single() adds, for compute pair/local
-  enum { OVERLAP, STIFFNESS, VISCOUS, FRICTION, NEXTRA = FRICTION + 4 };
+  enum { OVERLAP, STIFFNESS, VISCOUS, FRICTION, SLIDES = FRICTION + 4, ROLLING, TWISTING, NEXTRA };
 
   const char *name() const override;
   double reach(int i, int j, double dbar) const override { return laws[at(i, j)].reach(dbar); }
@@ -92,6 +93,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void leave_to_mixing(int i, int j);
   void read(PotdemMaterialInput &, int pair);
   void mix(int i, int j);
+  void mix_law(int i, int j);
   void mirror(int i, int j);
   std::string coeff_line(int pair) const;
   double *coeff_named(int pair, const std::string &name);
@@ -107,22 +109,22 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void suspect(ThreadShare &, int i,
                int j) const;    // no address of what the loop keeps in registers
   POTDEM::ContactMotion motion(int i, int j) const;
-  POTDEM::ContactMasses masses(int i, int j, double spin_share) const;
+  POTDEM::ContactMasses masses(int i, int j, double arm) const;
   void dissipative(int pair, int i, int j, double r, double weight);
   double closest(int i, int j, const POTDEM::ContactMotion &, double most, double ahead) const;
   POTDEM::Spring spring(int i, int j, const POTDEM::ContactMotion &, double r, double weight) const;
 
   // the loop
-  void find_frictions();
+  void find_kernel();
   void report(const ThreadShare &);
   template <class Tangential> void choose(ThreadShare &, const std::vector<Tangential> &);
   template <class Tangential, bool SPIN, bool EV>
   void choose_rate(ThreadShare &, const Tangential *);
-  template <class Tangential, bool SPIN, bool RATE, bool EV>
-  void loop(ThreadShare &, const Tangential *);
-  template <bool SPIN>
-  void add_friction(const ThreadShare &, int i, int j, const double *del, const double *friction,
-                    double *push);
+  template <class Tangential, class Rate, bool SPIN, bool EV>
+  void loop(ThreadShare &, const Tangential *, const Rate *);
+  template <bool SPIN, bool ROLL>
+  void add_surface(const ThreadShare &, int i, int j, const double *del,
+                   const POTDEM::SurfaceForces &, double *push);
 };
 
 }    // namespace LAMMPS_NS

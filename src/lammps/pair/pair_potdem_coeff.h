@@ -27,8 +27,8 @@ namespace LAMMPS_NS {
 
 template <class Law>
 PairPotdem<Law>::PairPotdem(LAMMPS *lmp) :
-    PairPotdemBase(lmp), of_style{}, frictions_known(false), sliding(false), viscous(false),
-    monitored_step(0.0)
+    PairPotdemBase(lmp), of_style(potdem_default_rate<Law>()), kernel_known(false), sliding(false),
+    viscous(false), monitored_step(0.0)
 {
   writedata = 1;
   single_enable = 1;
@@ -61,7 +61,8 @@ template <class Law> void PairPotdem<Law>::allocate()
   std::fill(&setflag[0][0], &setflag[0][0] + n * n, 0);
   std::fill(&cutsq[0][0], &cutsq[0][0] + n * n, 0.0);
   laws.assign(n * n, Law{});
-  rates.assign(n * n, Rate{});
+  law_mixed.assign(n * n, false);
+  rates.assign(n * n, PotdemRate());
   friction.assign(n * n, PotdemFriction());
   kernels.resize(n * n);
   alarm.assign(n * n, 0.0);
@@ -70,7 +71,7 @@ template <class Law> void PairPotdem<Law>::allocate()
 template <class Law> void PairPotdem<Law>::settings(int narg, char **arg)
 {
   PotdemInput input(lmp, fmt::format("pair_style {}", name()), narg, arg);
-  const auto rows = potdem_rows(of_style);
+  const auto rows = potdem_any_rows(of_style);
   while (!input.done()) {
     if (input.next_is("rotation")) {
       rotation = input.logical("rotation");
@@ -83,7 +84,7 @@ template <class Law> void PairPotdem<Law>::settings(int narg, char **arg)
 }
 
 /* ----------------------------------------------------------------------
-   I J  the law's coefficients and keywords  [friction mu ...]
+   I J  the law's coefficients and keywords, or 'mixed'  [viscous ..., restitution ...]  [friction mu ...] [rolling ...] [twisting ...]
 ------------------------------------------------------------------------- */
 
 template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
@@ -100,7 +101,11 @@ template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
         read(input, pair);
         first = pair;
       }
+      if (law_mixed[first] && i == j)
+        error->all(FLERR, "pair_coeff {}: 'mixed' is for types I != J, {} has its own law", name(),
+                   i);
       laws[pair] = laws[first];
+      law_mixed[pair] = law_mixed[first];
       rates[pair] = rates[first];
       friction[pair] = friction[first];
       mirror(i, j);
@@ -114,6 +119,7 @@ template <class Law> void PairPotdem<Law>::coeff(int narg, char **arg)
 template <class Law> void PairPotdem<Law>::mirror(int i, int j)
 {
   laws[at(j, i)] = laws[at(i, j)];
+  law_mixed[at(j, i)] = law_mixed[at(i, j)];
   rates[at(j, i)] = rates[at(i, j)];
   friction[at(j, i)] = friction[at(i, j)];
 }
@@ -121,25 +127,27 @@ template <class Law> void PairPotdem<Law>::mirror(int i, int j)
 template <class Law> void PairPotdem<Law>::read(PotdemMaterialInput &input, int pair)
 {
   Law law{};
-  Rate rate = of_style;
-  friction[pair] = PotdemFriction();
-  const auto of_law = potdem_rows(law), of_rate = potdem_rows(rate);
+  PotdemRate rate = of_style;
+  PotdemFriction rough;
+  const bool mixed = input.next_is("mixed");
+  const auto of_law = mixed ? PotdemLawRows() : potdem_rows(law);
   potdem_read_required(input, of_law);
-  potdem_complete(law);
+  if (!mixed) potdem_complete(law);
   while (!input.done()) {
-    if (input.next_is("friction")) {
-      friction[pair] = potdem_read_friction(input);
-    } else if (!potdem_read_option(input, of_law) && !potdem_read_option(input, of_rate)) {
-      auto names = potdem_option_names(of_law);
-      const auto more = potdem_option_names(of_rate);
-      if (!more.empty()) names += (names.empty() ? "" : ", ") + more;
-      input.word();
-      input.unknown(names.empty() ? "friction" : names + " or friction");
-    }
+    if (potdem_read_option(input, of_law) || potdem_read_rate<Law>(input, of_style, rate) ||
+        potdem_read_friction(input, rough))
+      continue;
+    std::string names;
+    for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
+      if (!more.empty()) names += more + ", ";
+    input.word();
+    input.unknown(names + POTDEM_FRICTION_NAMES);
   }
-  potdem_check_friction<Law>(input, friction[pair]);
+  potdem_check_friction<Law>(input, rough, rotation);
   laws[pair] = law;
+  law_mixed[pair] = mixed;
   rates[pair] = rate;
+  friction[pair] = rough;
 }
 
 template <class Law> bool PairPotdem<Law>::lists_materials(int narg, char **arg) const
@@ -185,13 +193,26 @@ template <class Law> void PairPotdem<Law>::leave_to_mixing(int i, int j)
   setflag[i][j] = 1;
 }
 
-template <class Law> void PairPotdem<Law>::mix(int i, int j)
+template <class Law> void PairPotdem<Law>::mix_law(int i, int j)
 {
+  if (!setflag[i][i] || !setflag[j][j])
+    error->all(FLERR, "pair_style {}: coefficients for types {} and {} are not set; use pair_coeff",
+               name(), i, j);
   auto &a = laws[at(i, i)], &b = laws[at(j, j)];
   if (const char *differs = potdem_disagreement(potdem_rows(a), potdem_rows(b)))
     cannot_mix(i, j, differs);
   laws[at(i, j)] = Law::mixed(a, b);
-  rates[at(i, j)] = Rate::mixed(rates[at(i, i)], rates[at(j, j)]);
+}
+
+template <class Law> void PairPotdem<Law>::mix(int i, int j)
+{
+  mix_law(i, j);
+  if (!potdem_mix_rates(rates[at(i, i)], rates[at(j, j)], rates[at(i, j)]))
+    error->all(
+        FLERR,
+        "pair_style {}: types {} and {} lose energy by different laws; give pair_coeff {} {} "
+        "explicitly, all of one law",
+        name(), i, j, i, j);
   if (!potdem_mix_friction(friction[at(i, i)], friction[at(j, j)], friction[at(i, j)]))
     error->all(
         FLERR,
@@ -206,6 +227,7 @@ template <class Law> void PairPotdem<Law>::mix(int i, int j)
 template <class Law> void PairPotdem<Law>::init_style()
 {
   find_needs();
+  potdem_align_friction(friction);
   int state = 0;
   for (const auto &one : friction) state = MAX(state, potdem_friction_state(one));
   find_contacts(state);
@@ -215,10 +237,10 @@ template <class Law> void PairPotdem<Law>::init_style()
 
 template <class Law> void PairPotdem<Law>::find_needs()
 {
-  sliding = viscous = frictions_known = false;
+  sliding = viscous = kernel_known = false;
   if (potdem_minimizes(lmp)) return;
-  for (const auto &one : friction) sliding = sliding || potdem_friction_mu(one) > 0.0;
-  for (const auto &one : rates) viscous = viscous || one.active();
+  for (const auto &one : friction) sliding = sliding || potdem_friction_acts(one);
+  for (const auto &one : rates) viscous = viscous || potdem_rate_is_active(one);
 }
 
 // types without particles have no contacts
@@ -230,12 +252,10 @@ template <class Law> double PairPotdem<Law>::init_one(int i, int j)
     take_adapted(i, j);
   }
   if (setflag[i][j] == 0) {
-    if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR,
-                 "pair_style {}: coefficients for types {} and {} are not set; use pair_coeff",
-                 name(), i, j);
     mix(i, j);
     find_needs();
+  } else if (law_mixed[at(i, j)]) {
+    mix_law(i, j);
   }
   mirror(i, j);
   kernels[at(i, j)] = kernels[at(j, i)] = laws[at(i, j)].kernel(offset_flag != 0);
@@ -272,13 +292,13 @@ template <class Law>
 double *PairPotdem<Law>::velocity_coeff_named(int pair, const std::string &wanted)
 {
   double *const found = potdem_friction_coefficient(friction[pair], wanted);
-  return found ? found : potdem_coefficient(potdem_rows(rates[pair]), wanted);
+  return found ? found : potdem_rate_coefficient(rates[pair], wanted);
 }
 
 template <class Law> double *PairPotdem<Law>::coeff_named(int pair, const std::string &wanted)
 {
   double *const found = velocity_coeff_named(pair, wanted);
-  return found ? found : potdem_coefficient(potdem_rows(laws[pair]), wanted);
+  return found || law_mixed[pair] ? found : potdem_coefficient(potdem_rows(laws[pair]), wanted);
 }
 
 template <class Law> void PairPotdem<Law>::show_to_adapt()
@@ -325,7 +345,7 @@ template <class Law> void PairPotdem<Law>::write_restart_settings(FILE *fp)
   potdem_write_text(fp,
                     fmt::format("shift {} mix {} rotation {}{}", offset_flag, mix_flag,
                                 rotation ? "yes" : "no",
-                                potdem_setting_text(potdem_rows(of_style))));
+                                potdem_setting_text(potdem_any_rows(of_style))));
 }
 
 // what pair_modify said comes first
@@ -368,10 +388,9 @@ template <class Law> void PairPotdem<Law>::read_restart(FILE *fp)
 template <class Law> std::string PairPotdem<Law>::coeff_line(int pair) const
 {
   auto law = laws[pair];
-  auto rate = rates[pair];
-  const auto of_rate = potdem_text(potdem_rows(rate));
-  return potdem_text(potdem_rows(law)) + (of_rate.empty() ? "" : " " + of_rate) +
-      potdem_friction_text(friction[pair]);
+  const auto of_law = law_mixed[pair] ? "mixed" : potdem_text(potdem_rows(law));
+  const auto of_rate = potdem_rate_text(rates[pair]);
+  return of_law + (of_rate.empty() ? "" : " " + of_rate) + potdem_friction_text(friction[pair]);
 }
 
 template <class Law> void PairPotdem<Law>::write_data(FILE *fp)

@@ -118,18 +118,19 @@ template <class Law> POTDEM::ContactMotion PairPotdem<Law>::motion(int i, int j)
   MathExtra::sub3(atom->v[i], atom->v[j], found.v);
   found.r = MathExtra::len3(found.del);
   if (!rotation) return found;
-  const double ri = atom->radius[i], rj = atom->radius[j], share = 1.0 / (ri + rj);
-  for (int k = 0; k < 3; k++)
-    found.spin[k] = share * (ri * atom->omega[i][k] + rj * atom->omega[j][k]);
+  POTDEM::spin_of(atom->omega[i], atom->omega[j], atom->radius[i], atom->radius[j], found);
   return found;
 }
 
-// spin_share: what spin leaves of the mass at the surface
-template <class Law>
-POTDEM::ContactMasses PairPotdem<Law>::masses(int i, int j, double spin_share) const
+// arm: of friction, over the radius
+template <class Law> POTDEM::ContactMasses PairPotdem<Law>::masses(int i, int j, double arm) const
 {
   const double mi = atom->rmass[i], mj = atom->rmass[j];
-  return {spin_share * mi * mj, mi + mj, update->dt / force->mvv2e, update->dt};
+  const double step = update->dt / force->mvv2e;
+  if (!rotation) return {mi * mj, mi + mj, step, update->dt};
+  const double share = POTDEM::sliding_mass(arm, POTDEM::SPHERE_INERTIA);
+  return POTDEM::with_rolling({share * mi * mj, mi + mj, step, update->dt, share}, mi, mj,
+                              atom->radius[i], atom->radius[j]);
 }
 
 template <class Law>
@@ -157,7 +158,7 @@ double PairPotdem<Law>::single(int i, int j, int itype, int jtype, double rsq,
 template <class Law>
 void PairPotdem<Law>::dissipative(int pair, int i, int j, double r, double weight)
 {
-  const auto find = [&](const auto &rough) {
+  const auto find = [&](const auto &rough, const auto &rate) {
     using Tangential = std::decay_t<decltype(rough)>;
     double state[Tangential::STATE + 1] = {};
     bool turned;
@@ -167,22 +168,39 @@ void PairPotdem<Law>::dissipative(int pair, int i, int j, double r, double weigh
         std::copy_n(memory + 1, rough.STATE, state);
         if (turned) rough.turn(state);
       }
+    const bool spin = rotation;
     const auto state_of_motion = [&] {
       return motion(i, j);
     };
     const auto both = [&] {
-      return masses(i, j, rotation ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0);
+      return masses(i, j, 1.0);
     };
-    return rotation
-        ? POTDEM::contact_forces<true>(kernels[pair], r, geometry(i, j), weight, rates[pair], rough,
-                                       state, false, state_of_motion, both)
-        : POTDEM::contact_forces<false>(kernels[pair], r, geometry(i, j), weight, rates[pair],
-                                        rough, state, false, state_of_motion, both);
+    return spin ? POTDEM::contact_forces<true>(kernels[pair], r, geometry(i, j), weight, rate,
+                                               rough, state, false, state_of_motion, both)
+                : POTDEM::contact_forces<false>(kernels[pair], r, geometry(i, j), weight, rate,
+                                                rough, state, false, state_of_motion, both);
   };
-  const auto found = sliding ? std::visit(find, friction[pair]) : find(POTDEM::Frictionless());
-  if (viscous) svector[VISCOUS] = found.viscous;
-  svector[FRICTION] = MathExtra::len3(found.friction);
-  for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = found.friction[k];
+  const auto found = std::visit(
+      [&](const auto &rate) {
+        if (!sliding) return find(POTDEM::Frictionless(), rate);
+        return potdem_visit(friction[pair], [&](const auto &rough) {
+          return find(rough, rate);
+        });
+      },
+      viscous ? rates[pair] : PotdemRate());
+  const auto &rubs = found.surface;
+  double n[3];
+  MathExtra::sub3(atom->x[i], atom->x[j], n);
+  MathExtra::norm3(n);
+  const double across = MathExtra::len3(rubs.friction), twist = MathExtra::dot3(rubs.torque, n);
+  constexpr double rounding = 1e-9;
+  const double limit = potdem_friction_mu(friction[pair]) * found.normal;
+  svector[VISCOUS] = found.viscous;
+  svector[FRICTION] = across;
+  for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = rubs.friction[k];
+  svector[SLIDES] = across > 0.0 && across >= (1.0 - rounding) * limit;
+  svector[ROLLING] = sqrt(fmax(0.0, MathExtra::lensq3(rubs.torque) - twist * twist));
+  svector[TWISTING] = twist;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -235,8 +253,8 @@ double PairPotdem<Law>::closest(int i, int j, const POTDEM::ContactMotion &state
   const auto partners = geometry(i, j);
   const auto between = masses(i, j, 1.0);
   return POTDEM::closest_approach(state.r, POTDEM::rate_of_distance(state), ahead, most,
-                                  kernel.hard_core(partners),
-                                  force->mvv2e * (between.product / between.sum), [&](double r) {
+                                  kernel.hard_core(partners), between.along_normal(),
+                                  [&](double r) {
                                     return kernel.evaluate(r, partners);
                                   });
 }
@@ -251,14 +269,15 @@ POTDEM::Spring PairPotdem<Law>::spring(int i, int j, const POTDEM::ContactMotion
   if (!(r > kernels[pair].hard_core(partners))) collapsed(i, j, kernels[pair].hard_core(partners));
   double n[3];
   MathExtra::scale3(1.0 / state.r, state.del, n);
-  const double spin_share =
-      rotation ? POTDEM::sliding_mass(r / partners.dbar(), POTDEM::SPHERE_INERTIA) : 1.0;
+  const auto between = masses(i, j, r / partners.dbar());
   return std::visit(
-      [&](const auto &rough) {
-        return POTDEM::contact_spring(kernels[pair], r, partners, weight, rates[pair], rough,
-                                      masses(i, j, spin_share), spin_share, n);
+      [&](const auto &rate) {
+        return potdem_visit(friction[pair], [&](const auto &rough) {
+          return POTDEM::contact_spring(kernels[pair], r, partners, weight, rate, rough, between,
+                                        n);
+        });
       },
-      friction[pair]);
+      rates[pair]);
 }
 
 }    // namespace LAMMPS_NS

@@ -34,19 +34,26 @@ template <class Law> void PairPotdem<Law>::compute(int eflag, int vflag)
 // the particles whose pairs there are
 template <class Law> int PairPotdem<Law>::begin_work()
 {
-  if (!frictions_known) find_frictions();
+  if (!kernel_known) find_kernel();
   return list->inum;
 }
 
-template <class Law> void PairPotdem<Law>::find_frictions()
+template <class Law> void PairPotdem<Law>::find_kernel()
 {
+  if (!potdem_same_rate(rates, dashpots))
+    error->all(
+        FLERR,
+        "pair_style {}: its pair_coeff lose energy by different laws; give one of {} for all, "
+        "or use pair_style hybrid",
+        name(), potdem_rate_names<Law>());
+  if (!viscous) dashpots = std::monostate();
   if (!potdem_same_law(friction, frictions))
     error->all(FLERR,
                "pair_style {}: its pair_coeff have different laws of friction; give all the same "
                "one, or use pair_style hybrid",
                name());
   if (!sliding) frictions = std::monostate();
-  frictions_known = true;
+  kernel_known = true;
 }
 
 template <class Law> void PairPotdem<Law>::end_work(const std::vector<ThreadShare> &shares)
@@ -74,30 +81,40 @@ template <class Law>
 template <class Tangential>
 void PairPotdem<Law>::choose(ThreadShare &share, const std::vector<Tangential> &rough)
 {
-  if (evflag)
-    rotation ? choose_rate<Tangential, true, true>(share, rough.data())
-             : choose_rate<Tangential, false, true>(share, rough.data());
-  else
-    rotation ? choose_rate<Tangential, true, false>(share, rough.data())
-             : choose_rate<Tangential, false, false>(share, rough.data());
+  if constexpr (!POTDEM::is_rolling<Tangential>)
+    if (!rotation)
+      return evflag ? choose_rate<Tangential, false, true>(share, rough.data())
+                    : choose_rate<Tangential, false, false>(share, rough.data());
+  evflag ? choose_rate<Tangential, true, true>(share, rough.data())
+         : choose_rate<Tangential, true, false>(share, rough.data());
 }
 
 template <class Law>
 template <class Tangential, bool SPIN, bool EV>
 void PairPotdem<Law>::choose_rate(ThreadShare &share, const Tangential *rough)
 {
-  if constexpr (Law::rate_dependent)
-    if (viscous) return loop<Tangential, SPIN, true, EV>(share, rough);
-  loop<Tangential, SPIN, false, EV>(share, rough);
+  std::visit(
+      [this, &share, rough](const auto &one) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, std::monostate>) {
+          using Rate = typename std::decay_t<decltype(one)>::value_type;
+          if constexpr (Rate::template serves<Law>())
+            loop<Tangential, Rate, SPIN, EV>(share, rough, one.data());
+        } else {
+          const POTDEM::Elastic *const none = nullptr;
+          loop<Tangential, POTDEM::Elastic, SPIN, EV>(share, rough, none);
+        }
+      },
+      dashpots);
 }
 
 // one particle i at a time, its force kept in registers
 template <class Law>
-template <class Tangential, bool SPIN, bool RATE, bool EV>
-void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
+template <class Tangential, class Rate, bool SPIN, bool EV>
+void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough, const Rate *rate_laws)
 {
-  using RateLaw = std::conditional_t<RATE, Rate, POTDEM::Elastic>;
+  constexpr bool RATE = !std::is_same_v<Rate, POTDEM::Elastic>;
   constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
+  constexpr bool ROLL = POTDEM::is_rolling<Tangential>;
   constexpr double spin_share = SPIN ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0;
   constexpr Tangential frictionless{};
   const auto *const x = (const double(*)[3]) atom->x[0];
@@ -141,21 +158,20 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
       }
 
       const auto motion = [&] {
-        POTDEM::ContactMotion m{{del[0], del[1], del[2]}, r, {}, {}};
+        POTDEM::ContactMotion m{{del[0], del[1], del[2]}, r, {}, {}, {}, {}};
         for (int k = 0; k < 3; k++) m.v[k] = v[i][k] - v[j][k];
-        const double inverse = SPIN ? 1.0 / (ri + rj) : 0.0;
-        for (int k = 0; k < 3 && SPIN; k++)
-          m.spin[k] = inverse * (ri * omega[i][k] + rj * omega[j][k]);
+        if constexpr (SPIN) POTDEM::spin_of(omega[i], omega[j], ri, rj, m);
         return m;
       };
       const auto masses = [&] {
         const double mi = rmass[i], mj = rmass[j];
-        return POTDEM::ContactMasses{spin_share * mi * mj, mi + mj, step, dt};
+        const POTDEM::ContactMasses both{spin_share * mi * mj, mi + mj, step, dt, spin_share};
+        return ROLL ? POTDEM::with_rolling(both, mi, mj, ri, rj) : both;
       };
       double *state = nullptr;
       if constexpr (Tangential::STATE > 0) state = contacts->touch(i, jj);
-      RateLaw rate{};
-      if constexpr (RATE) rate = rates[pair];
+      Rate rate{};
+      if constexpr (RATE) rate = rate_laws[pair];
       const auto found = POTDEM::contact_forces<SPIN>(kernels[pair], r, partners, weight, rate,
                                                       SLIDE ? rough[pair] : frictionless, state,
                                                       advance, motion, masses);
@@ -167,7 +183,8 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
         const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
         note(FixPotdemLedger::VISCOUS, i, j, drag);
       }
-      if (SLIDE && found.normal > 0.0) add_friction<SPIN>(share, i, j, del, found.friction, push);
+      if (SLIDE && found.normal > 0.0)
+        add_surface<SPIN, ROLL>(share, i, j, del, found.surface, push);
       for (int k = 0; k < 3; k++) fi[k] += push[k];
       if (newton || j < nlocal)
         for (int k = 0; k < 3; k++) f[j][k] -= push[k];
@@ -179,10 +196,11 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough)
 
 // to the force on i, and to the torques
 template <class Law>
-template <bool SPIN>
-inline void PairPotdem<Law>::add_friction(const ThreadShare &share, int i, int j, const double *del,
-                                          const double *friction, double *push)
+template <bool SPIN, bool ROLL>
+inline void PairPotdem<Law>::add_surface(const ThreadShare &share, int i, int j, const double *del,
+                                         const POTDEM::SurfaceForces &found, double *push)
 {
+  const double *const friction = found.friction;
   for (int k = 0; k < 3; k++) push[k] += friction[k];
   if (ledger) note(FixPotdemLedger::FRICTION, i, j, friction);
   if (!SPIN) return;
@@ -194,6 +212,11 @@ inline void PairPotdem<Law>::add_friction(const ThreadShare &share, int i, int j
   for (int k = 0; k < 3; k++) share.torque[i][k] += ri * turn[k];
   if (force->newton_pair || j < atom->nlocal)
     for (int k = 0; k < 3; k++) share.torque[j][k] += rj * turn[k];
+  if (!ROLL) return;
+  if (ledger) note_torque(i, j, 1.0, -1.0, found.torque);
+  for (int k = 0; k < 3; k++) share.torque[i][k] += found.torque[k];
+  if (force->newton_pair || j < atom->nlocal)
+    for (int k = 0; k < 3; k++) share.torque[j][k] -= found.torque[k];
 }
 
 // what the second particle of a pair remembers, from what the first does
@@ -201,11 +224,9 @@ template <class Law>
 void PairPotdem<Law>::transfer_history(double *from, double *to, int itype, int jtype)
 {
   std::copy_n(from, contacts->get_dnum(), to);
-  std::visit(
-      [to](const auto &rough) {
-        if constexpr (std::decay_t<decltype(rough)>::STATE > 0) rough.turn(to + 1);
-      },
-      friction[at(itype, jtype)]);
+  potdem_visit(friction[at(itype, jtype)], [to](const auto &rough) {
+    if constexpr (std::decay_t<decltype(rough)>::STATE > 0) rough.turn(to + 1);
+  });
 }
 
 }    // namespace LAMMPS_NS

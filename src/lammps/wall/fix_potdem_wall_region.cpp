@@ -54,7 +54,7 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
 /* ----------------------------------------------------------------------
    REGION  E nu  particle E nu  [layer gamma_over_r m | layer none] [viscous H]
    REGION  law NAME  its coefficients and keywords as in pair_coeff
-   both:  [friction mu ...] [rotation no|yes|disc]
+   both:  [friction mu ...] [rolling ...] [twisting ...] [restitution e] [rotation no|yes|disc]
 ------------------------------------------------------------------------- */
 
 void FixPotdemWallRegion::read(int narg, char **arg)
@@ -84,29 +84,27 @@ void FixPotdemWallRegion::read_named(PotdemMaterialInput &input)
 template <class Law> void FixPotdemWallRegion::read_wall(PotdemMaterialInput &input)
 {
   PotdemWallLaw<Law> wall{};
-  const auto of_law = potdem_rows(wall.law), of_rate = potdem_rows(wall.rate);
-  auto names = potdem_option_names(of_law);
-  const auto more = potdem_option_names(of_rate);
-  names += (names.empty() || more.empty() ? "" : ", ") + more;
+  const auto of_law = potdem_rows(wall.law);
+  std::string names;
+  for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
+    if (!more.empty()) names += more + ", ";
   potdem_read_required(input, of_law);
   potdem_complete(wall.law);
   while (!input.done())
-    if (!potdem_read_option(input, of_law) && !potdem_read_option(input, of_rate))
-      read_common(input, names.empty() ? "friction" : names + ", friction");
-  potdem_check_friction<Law>(input, friction);
+    if (!potdem_read_option(input, of_law) && !potdem_read_rate<Law>(input, PotdemRate(), rate))
+      read_common(input, names);
+  potdem_check_friction<Law>(input, friction, rotation);
   wall.kernel = wall.law.kernel(false);
   law = wall;
 }
 
 void FixPotdemWallRegion::read_common(PotdemMaterialInput &input, const std::string &names)
 {
-  if (input.next_is("friction")) {
-    friction = potdem_read_friction(input);
-  } else if (input.next_is("rotation")) {
+  if (input.next_is("rotation")) {
     read_rotation(input);
-  } else {
+  } else if (!potdem_read_friction(input, friction)) {
     input.word();
-    input.unknown(names + " or rotation");
+    input.unknown(names + POTDEM_FRICTION_NAMES + " or rotation");
   }
 }
 
@@ -165,7 +163,7 @@ void FixPotdemWallRegion::check_rotation()
                "Fix potdem/wall/region {}: rotation needs an atom style with spin, e.g. atom_style "
                "sphere",
                id);
-  if (!monitor || potdem_friction_mu(friction) == 0.0) return;
+  if (!monitor || !potdem_friction_acts(friction)) return;
   int mine = 0, any;
   for (int i = 0; i < atom->nlocal && atom->num_bond; i++)
     if (atom->mask[i] & groupbit)
@@ -205,43 +203,46 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   surface.follow();
   too_stiff = monitor ? monitor->stiffest_over_mass() : std::numeric_limits<double>::infinity();
   too_near = monitor ? FixPotdemMonitor::DEEP : 0.0;
-  rub = MOTION && potdem_friction_mu(friction) > 0.0 ? friction_kernel() : nullptr;
+  rub = MOTION && potdem_friction_acts(friction) ? friction_kernel() : nullptr;
   std::visit(
-      [this](auto wall) {
-        if (!MOTION) wall.rate = {};
-        this->choose(wall);
+      [this](const auto &wall, const auto &dashpot) {
+        if (MOTION && dashpot.active())
+          this->choose(wall, dashpot);
+        else
+          this->choose(wall, POTDEM::Elastic());
       },
-      law);
+      law, rate);
 }
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::friction_kernel() const
 {
-  return std::visit(
-      [this](const auto &rough) {
-        using Tangential = std::decay_t<decltype(rough)>;
-        return rotation ? &FixPotdemWallRegion::add_friction<true, Tangential>
-                        : &FixPotdemWallRegion::add_friction<false, Tangential>;
-      },
-      friction);
+  return potdem_visit(friction, [this](const auto &rough) {
+    using Tangential = std::decay_t<decltype(rough)>;
+    return rotation ? &FixPotdemWallRegion::add_friction<true, Tangential>
+                    : &FixPotdemWallRegion::add_friction<false, Tangential>;
+  });
 }
 
 // the smallest kernel that the keywords need
-template <class Wall> void FixPotdemWallRegion::choose(const Wall &wall)
+template <class Law, class Rate>
+void FixPotdemWallRegion::choose(const PotdemWallLaw<Law> &wall, const Rate &dashpot)
 {
-  if (wall.rate.active())
-    rub ? push_all<true, true>(wall, wall.rate) : push_all<false, true>(wall, wall.rate);
-  else if (rub)
-    push_all<true, true>(wall, POTDEM::Elastic());
-  else
-    ledger ? push_all<false, true>(wall, POTDEM::Elastic())
-           : push_all<false, false>(wall, POTDEM::Elastic());
+  constexpr bool elastic = std::is_same_v<Rate, POTDEM::Elastic>;
+  if constexpr (Rate::template serves<Law>()) {
+    if (rub)
+      push_all<true, true>(wall, dashpot);
+    else if (!elastic || ledger)
+      push_all<false, true>(wall, dashpot);
+    else
+      push_all<false, false>(wall, POTDEM::Elastic());
+  }
 }
 
 // friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
 template <bool SLIDE, bool MOVE, class Wall, class Rate>
-void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate)
+void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &dashpot)
 {
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -258,10 +259,10 @@ void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &rate)
     for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
       if constexpr (SLIDE) {
         touches.emplace_back();
-        if (!normal_force<MOVE>(i, face, wall, rate, touches.back())) touches.pop_back();
+        if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back())) touches.pop_back();
       } else {
         Touch touch;
-        normal_force<MOVE>(i, face, wall, rate, touch);
+        normal_force<MOVE>(i, face, wall, dashpot, touch);
       }
     }
     if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
@@ -277,22 +278,27 @@ void FixPotdemWallRegion::bring_back(double *x) const
   domain->remap(x);
 }
 
-// along the normal, for a distance of 1; wall: velocity of the surface
+// along the normal, for a distance of 1
 void FixPotdemWallRegion::find_motion(int i, const PotdemWallSurface::Face &face,
-                                      POTDEM::ContactMotion &motion, double *wall) const
+                                      Touch &touch) const
 {
+  auto &motion = touch.motion;
   motion.r = 1.0;
   MathExtra::copy3(face.n, motion.del);
-  surface.velocity(face, wall);
-  MathExtra::sub3(atom->v[i], wall, motion.v);
+  surface.velocity(face, touch.wall);
+  MathExtra::sub3(atom->v[i], touch.wall, motion.v);
   if (!rotation) return;
+  surface.spin(face, touch.wall_spin);
   MathExtra::copy3(atom->omega[i], motion.spin);
   MathExtra::scale3(face.r, motion.spin);
+  MathExtra::sub3(atom->omega[i], touch.wall_spin, motion.spin_between);
+  for (int k = 0; k < 3; k++)
+    motion.spin_of_both[k] = 0.5 * (atom->omega[i][k] + touch.wall_spin[k]);
 }
 
 template <bool MOVE, class Wall, class Rate>
 bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &wall,
-                                       const Rate &rate, Touch &touch)
+                                       const Rate &dashpot, Touch &touch)
 {
   const double ri = atom->radius[i], r = face.r;
   const auto geometry = wall.geometry(ri);
@@ -308,22 +314,21 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
   touch.key = face.key;
   MathExtra::scale3(r, face.n, touch.del);
   touch.r = r;
-  if constexpr (MOVE) find_motion(i, face, touch.motion, touch.wall);
+  if constexpr (MOVE) find_motion(i, face, touch);
   const auto found = POTDEM::contact_forces<false>(
-      wall.kernel, r, geometry, 1.0, rate, POTDEM::Frictionless(), nullptr, false,
+      wall.kernel, r, geometry, 1.0, dashpot, POTDEM::Frictionless(), nullptr, false,
       [&touch]() -> const POTDEM::ContactMotion & {
         return touch.motion;
       },
-      [] {
-        return POTDEM::ContactMasses();
+      [this, i, r, ri] {
+        return masses_of(i, r / ri);
       });
-  touch.normal = found.normal;
-  touch.stiffness = found.elastic.stiffness;
-  touch.shear_ratio = POTDEM::shear_ratio_of(wall.kernel, 0);
-  if (touch.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
-    suspect(i, hard_core > 0.0 ? 1.0 : r / ri, touch.stiffness);
+  touch.pressed = {found.normal, found.elastic.stiffness, POTDEM::shear_ratio_of(wall.kernel, 0),
+                   ri, !update->setupflag};
+  if (found.elastic.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
+    suspect(i, hard_core > 0.0 ? 1.0 : r / ri, found.elastic.stiffness);
   double f[3];
-  for (int k = 0; k < 3; k++) f[k] = touch.normal * touch.n[k];
+  for (int k = 0; k < 3; k++) f[k] = found.normal * touch.n[k];
   if (MOVE && ledger) note(i, touch, found.viscous);
   mine[0] += found.elastic.energy;
   add(i, touch, f);
@@ -336,7 +341,7 @@ void FixPotdemWallRegion::note(int i, const Touch &touch, double viscous) const
   const double *n = touch.n, along = MathExtra::dot3(n, touch.wall);
   ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
   ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
-  ledger->add_wall(touch.normal * along);
+  ledger->add_wall(touch.pressed.normal * along);
 }
 
 // a particle too deep in the wall or, with a law that has no depth to lose, too stiff for the step
@@ -382,9 +387,10 @@ void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 
 /* ---------------------------------------------------------------------- */
 
-POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i, double share) const
+POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i, double r_over_ri) const
 {
-  return {share * atom->rmass[i], 1.0, update->dt / force->mvv2e, update->dt};
+  const double m = atom->rmass[i], share = spin_share(r_over_ri);
+  return {share * m, 1.0, update->dt / force->mvv2e, update->dt, share, inertia * m, 1.0 / inertia};
 }
 
 // what spin leaves of the mass at the surface
@@ -395,37 +401,69 @@ double FixPotdemWallRegion::spin_share(double r_over_ri) const
 
 template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(int i)
 {
-  const auto &rough = std::get<Tangential>(friction);
-  const bool advance = !update->setupflag;
-  bool hold = false;
-  if constexpr (std::is_same_v<Tangential, POTDEM::Sliding>) {
-    hold = rough.automatic != 0.0;
-    if (hold) hold_at_rest<SPIN>(i, rough);
-  }
+  const auto rough = potdem_visit(friction, [](const auto &law) -> Tangential {
+    if constexpr (std::is_same_v<std::decay_t<decltype(law)>, Tangential>) return law;
+    return Tangential();
+  });
+  auto alone = rough;
+  if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
+    if (rough.automatic != 0.0) alone.mu = 0.0;
+  if constexpr (Tangential::STATE > 0) follow_faces(i);
   for (auto &touch : touches) {
-    if (!hold) MathExtra::zero3(touch.drag);
+    touch.surface = {};
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
-    if (!hold)
-      POTDEM::friction_force(rough, touch.normal, advance, state, touch.drag, [&] {
-        const auto masses = masses_of(i, spin_share(touch.r / atom->radius[i]));
-        return POTDEM::slide_of<SPIN>(touch.motion, masses, touch.normal, touch.stiffness,
-                                      touch.shear_ratio, advance);
-      });
-    add(i, touch, touch.drag);
+    rub_face<SPIN>(i, alone, state, touch);
+  }
+  if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
+    if (rough.automatic != 0.0) hold_at_rest<SPIN>(i, rough);
+  for (const auto &touch : touches) {
+    const double *const drag = touch.surface.friction;
+    add(i, touch, drag);
     if (SPIN) {
-      double turn[3];
-      POTDEM::torque_over_lever(touch.del, touch.drag, turn);
-      MathExtra::add3(atom->torque[i], turn, atom->torque[i]);
-      if (ledger) ledger->add_torque(i, 1.0, turn);
+      double torque[3];
+      POTDEM::torque_over_lever(touch.del, drag, torque);
+      turn(i, torque);
     }
     if (!ledger) continue;
-    const double across = MathExtra::dot3(touch.drag, touch.wall);
-    ledger->add(FixPotdemLedger::FRICTION, i, touch.drag[0], touch.drag[1], touch.drag[2]);
+    const double across = MathExtra::dot3(drag, touch.wall);
+    ledger->add(FixPotdemLedger::FRICTION, i, drag[0], drag[1], drag[2]);
     ledger->add_slip(FixPotdemLedger::FRICTION, across);
     ledger->add_wall(across);
   }
-  if constexpr (Tangential::STATE > 0) memory->forget_others(i);
+}
+
+void FixPotdemWallRegion::follow_faces(int i)
+{
+  keys.clear();
+  for (const auto &touch : touches) keys.push_back(touch.key);
+  memory->follow(i, keys);
+}
+
+// what a face does by itself; friction 'auto' waits for the forces of all
+template <bool SPIN, class Tangential>
+void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state, Touch &touch)
+{
+  const auto motion = [&touch]() -> const POTDEM::ContactMotion & {
+    return touch.motion;
+  };
+  const auto masses = [this, i, &touch] {
+    return masses_of(i, touch.r / atom->radius[i]);
+  };
+  POTDEM::surface_forces<SPIN>(rough, touch.pressed, state, touch.surface, motion, masses);
+  if constexpr (POTDEM::is_rolling<Tangential>) {
+    turn(i, touch.surface.torque);
+    if (!ledger) return;
+    const double by_wall = MathExtra::dot3(touch.surface.torque, touch.wall_spin);
+    ledger->add_slip(FixPotdemLedger::FRICTION, by_wall);
+    ledger->add_wall(by_wall);
+  }
+}
+
+void FixPotdemWallRegion::turn(int i, const double *torque)
+{
+  MathExtra::add3(atom->torque[i], torque, atom->torque[i]);
+  if (ledger) ledger->add_torque(i, 1.0, torque);
 }
 
 // the forces that end the sliding at all faces within the step, the other forces (and torques) balanced, as far as
@@ -437,13 +475,13 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM:
   MathExtra::copy3(atom->f[i], f);
   if (SPIN) MathExtra::copy3(atom->torque[i], torque);
   for (auto &touch : touches) {
-    MathExtra::zero3(touch.drag);
-    largest = std::fmax(largest, rough.mu * touch.normal);
+    MathExtra::zero3(touch.surface.friction);
+    largest = std::fmax(largest, rough.mu * touch.pressed.normal);
   }
   for (int round = 0; round < MAX_ROUNDS; round++) {
     change = 0.0;
     for (auto &touch : touches) {
-      double stop[3], more[3];
+      double stop[3], more[3], *const drag = touch.surface.friction;
       POTDEM::sliding_velocity<SPIN>(touch.motion, stop);
       const double pressed = MathExtra::dot3(f, touch.n);
       for (int k = 0; k < 3; k++)
@@ -454,10 +492,10 @@ template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM:
         const double share = spin_share(touch.r / ri);
         for (int k = 0; k < 3; k++) stop[k] = share * (stop[k] - roll[k] / (inertia * ri * ri));
       }
-      MathExtra::add3(stop, touch.drag, stop);
-      MathExtra::scale3(rough.share(MathExtra::len3(stop), touch.normal), stop);
-      MathExtra::sub3(stop, touch.drag, more);
-      MathExtra::copy3(stop, touch.drag);
+      MathExtra::add3(stop, drag, stop);
+      MathExtra::scale3(rough.share(MathExtra::len3(stop), touch.pressed.normal), stop);
+      MathExtra::sub3(stop, drag, more);
+      MathExtra::copy3(stop, drag);
       MathExtra::add3(f, more, f);
       if (SPIN) {
         POTDEM::torque_over_lever(touch.del, more, stop);
@@ -503,11 +541,10 @@ template <class Wall>
 double FixPotdemWallRegion::closest(int i, const PotdemWallSurface::Face &face, double ahead,
                                     const Wall &wall) const
 {
-  POTDEM::ContactMotion state;
-  double velocity[3];
-  find_motion(i, face, state, velocity);
+  Touch state;
+  find_motion(i, face, state);
   const auto geometry = wall.geometry(atom->radius[i]);
-  return POTDEM::closest_approach(face.r, POTDEM::rate_of_distance(state), ahead,
+  return POTDEM::closest_approach(face.r, POTDEM::rate_of_distance(state.motion), ahead,
                                   wall.reach(geometry.ri), wall.kernel.hard_core(geometry),
                                   force->mvv2e * atom->rmass[i], [&](double r) {
                                     return wall.kernel.evaluate(r, geometry);
@@ -520,13 +557,15 @@ POTDEM::Spring FixPotdemWallRegion::spring(int i, const PotdemWallSurface::Face 
                                            const Wall &wall) const
 {
   const auto geometry = wall.geometry(atom->radius[i]);
-  const double share = spin_share(r / geometry.ri);
+  const auto masses = masses_of(i, r / geometry.ri);
   return std::visit(
-      [&](const auto &rough) {
-        return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, wall.rate, rough,
-                                      masses_of(i, share), share, face.n);
+      [&](const auto &dashpot) {
+        return potdem_visit(friction, [&](const auto &rough) {
+          return POTDEM::contact_spring(wall.kernel, r, geometry, 1.0, dashpot, rough, masses,
+                                        face.n);
+        });
       },
-      friction);
+      rate);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -9,9 +9,9 @@
 #include "core/contact/contact.h"
 #include "core/laws/hertz_wall.h"
 #include "core/laws/law_list.h"
-#include "core/laws/viscous.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_friction.h"
+#include "lammps/glue/potdem_rate.h"
 #include "lammps/wall/potdem_wall_memory.h"
 #include "lammps/wall/potdem_wall_surface.h"
 
@@ -26,11 +26,8 @@ namespace LAMMPS_NS {
 
 // a law made ready for a wall
 template <class Law> struct PotdemWallLaw {
-  using Rate = std::conditional_t<Law::rate_dependent, POTDEM::Viscous, POTDEM::Elastic>;
-
   Law law;
   typename Law::Kernel kernel;
-  Rate rate;
 
   double reach(double ri) const { return law.reach(ri); }
   POTDEM::WallGeometry geometry(double ri) const
@@ -61,10 +58,10 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
     double n[3], r;                  // off the wall, and how far the centre is from the surface
     double del[3];                   // from the foot there to the centre
     POTDEM::ContactMotion motion;    // along n, for a distance of 1
-    double normal, stiffness, shear_ratio;
-    double wall[3];    // velocity of the surface at the foot
-    double drag[3];    // friction
-    int key;           // of the face
+    POTDEM::Pressed pressed;
+    POTDEM::SurfaceForces surface;
+    double wall[3], wall_spin[3];    // velocity of the surface at the foot, and how fast it turns
+    int key;                         // of the face
 
     Touch() {}    // only what the kernel needs is set
   };
@@ -78,6 +75,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
 #define POTDEM_WALL_OF_LAW(name, Law) , PotdemWallLaw<POTDEM::Law>
   std::variant<PotdemWallLaw<POTDEM::HertzWall> CONTACT_LAWS(POTDEM_WALL_OF_LAW)> law;
 #undef POTDEM_WALL_OF_LAW
+  PotdemRate rate;
   PotdemFriction friction;
   typedef void (FixPotdemWallRegion::*FrictionKernel)(int i);
   FrictionKernel rub;                          // null: no friction
@@ -85,6 +83,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   bool rotation;
   double inertia;                // of a particle that spins, over m r^2
   std::vector<Touch> touches;    // of one particle
+  std::vector<int> keys;         // of their faces
 
   double mine[7], total[7];    // energy, force and torque of the particles on the wall
   bool summed;
@@ -97,22 +96,25 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void check_rotation();
 
   template <bool MOTION> void act(int vflag);
-  template <class Wall> void choose(const Wall &);
+  template <class Law, class Rate> void choose(const PotdemWallLaw<Law> &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push_all(const Wall &, const Rate &);
   template <bool MOVE, class Wall, class Rate>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
   template <bool SPIN, class Tangential> void add_friction(int i);
+  template <bool SPIN, class Tangential>
+  void rub_face(int i, const Tangential &, double *state, Touch &);
+  void follow_faces(int i);
+  void turn(int i, const double *torque);
   FrictionKernel friction_kernel() const;
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
   void note(int i, const Touch &, double viscous) const;
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);
-  void find_motion(int i, const PotdemWallSurface::Face &, POTDEM::ContactMotion &,
-                   double *wall) const;
+  void find_motion(int i, const PotdemWallSurface::Face &, Touch &) const;
   double spin_share(double r_over_ri) const;
-  POTDEM::ContactMasses masses_of(int i, double share) const;
+  POTDEM::ContactMasses masses_of(int i, double r_over_ri) const;
   template <class Wall> void add_stiffness_of(const Wall &, class PotdemStiffness &, double ahead);
   template <class Wall>
   double closest(int i, const PotdemWallSurface::Face &, double ahead, const Wall &) const;

@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 
 PotdemWallMemory::PotdemWallMemory(LAMMPS *lmp, const std::string &id_fix, int _faces, int state) :
     Pointers(lmp), id(fmt::format("{}_MEMORY_{}", id_fix, _faces * (1 + state))), id_owner(id_fix),
-    faces(_faces), width(1 + state), store(nullptr), touched(_faces, false)
+    faces(_faces), width(1 + state), store(nullptr)
 {
   modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 no yes", id, faces * width));
   init();
@@ -46,35 +46,42 @@ double *PotdemWallMemory::at(int i) const
   return store->astore[i];
 }
 
-double *PotdemWallMemory::of_face(int i, int key)
+double *PotdemWallMemory::find(int i, int key) const
 {
   double *const places = at(i);
-  int place = faces;
+  for (int k = 0; k < faces; k++)
+    if (static_cast<int>(places[k * width]) == key) return places + k * width;
+  return nullptr;
+}
+
+void PotdemWallMemory::follow(int i, const std::vector<int> &keys)
+{
+  double *left = nullptr;
   for (int k = 0; k < faces; k++) {
-    const int there = static_cast<int>(places[k * width]);
-    if (there == key) {
-      touched[k] = true;
-      return places + k * width + 1;
-    }
-    if (there == 0 && place == faces) place = k;
+    double *const place = at(i) + k * width;
+    const int key = static_cast<int>(*place);
+    if (key == 0 || std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (left) *left = 0.0;
+    left = place;
   }
-  if (place == faces)
+  if (!left) return;
+  const auto is_new = [this, i](int key) {
+    return !find(i, key);
+  };
+  const auto fresh = std::find_if(keys.begin(), keys.end(), is_new);
+  *left = fresh != keys.end() ? *fresh : 0.0;
+}
+
+double *PotdemWallMemory::of_face(int i, int key)
+{
+  if (double *const known = find(i, key)) return known + 1;
+  double *const place = find(i, 0);
+  if (!place)
     error->one(FLERR,
                "Fix potdem/wall/region {}: atom {} touches more than {} faces on step {}, for "
                "which its memory has no place; use a region with fewer parts for one fix",
                id_owner, atom->tag[i], faces, update->ntimestep);
-  double *const fresh = places + place * width;
-  std::fill_n(fresh, width, 0.0);
-  *fresh = key;
-  touched[place] = true;
-  return fresh + 1;
-}
-
-void PotdemWallMemory::forget_others(int i)
-{
-  double *const places = at(i);
-  for (int k = 0; k < faces; k++) {
-    if (!touched[k]) places[k * width] = 0.0;
-    touched[k] = false;
-  }
+  std::fill_n(place, width, 0.0);
+  *place = key;
+  return place + 1;
 }

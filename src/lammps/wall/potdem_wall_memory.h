@@ -25,6 +25,8 @@ class PotdemWallMemory : protected Pointers {
   ~PotdemWallMemory() override;
   void init();    // error if the fix that keeps it was removed
 
+  // the faces that particle i touches now: others are forgotten, but for one that it has left for a new one, as where it rolls over a seam
+  void follow(int i, const std::vector<int> &keys);
   double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
   template <class Action> void for_each(int i, const Action &act) const    // what it remembers
   {
@@ -32,15 +34,14 @@ class PotdemWallMemory : protected Pointers {
     for (int k = 0; k < faces; k++)
       if (places[k * width] != 0.0) act(places + k * width + 1);
   }
-  void forget_others(int i);    // faces that of_face() was not asked for since the last time
 
  private:
   std::string id, id_owner;
   int faces, width;
   class FixStoreAtom *store;
-  std::vector<bool> touched;
 
   double *at(int i) const;
+  double *find(int i, int key) const;    // its place; of 0: a free one; null: none
 };
 
 }    // namespace LAMMPS_NS

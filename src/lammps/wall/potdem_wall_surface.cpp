@@ -119,6 +119,13 @@ void PotdemWallSurface::velocity(const Face &face, double *u) const
   }
 }
 
+void PotdemWallSurface::spin(const Face &face, double *w) const
+{
+  const auto &part = parts[face.part];
+  const bool turns = moving && part.region->rotateflag;
+  for (int k = 0; k < 3; k++) w[k] = turns ? part.axis_scale * part.region->omega[k] : 0.0;
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool PotdemWallSurface::is_free_of_parts(const double *x) const

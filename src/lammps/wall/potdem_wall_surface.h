@@ -49,6 +49,7 @@ class PotdemWallSurface : protected Pointers {
     return found;
   }
   void velocity(const Face &, double *u) const;
+  void spin(const Face &, double *w) const;    // angular velocity
 
  private:
   struct Part {
