@@ -40,6 +40,8 @@ function(potdem_compile_settings target)
   target_include_directories(${target} SYSTEM PRIVATE ${POTDEM_LAMMPS_INCLUDES})
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
+  # nobody reads errno or traps: loops may become vector instructions. Every width gives the same bits: no fused operations
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math -ffp-contract=off)
   target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
   if(BUILD_MPI)
     target_link_libraries(${target} PRIVATE MPI::MPI_CXX)

@@ -51,7 +51,7 @@ CASES = {
     "lj linear zero": (coeff("lj", "100 0.2 3 0.2 linear 0"), ["linear s_min = 0", "> 0 and < 0.2"]),
     "lj linear beyond R": (coeff("lj", "100 0.2 3 0.2 linear 0.2"), ["linear s_min = 0.2", "> 0 and < 0.2"]),
     "lj linear missing": (coeff("lj", "100 0.2 3 0.2 linear"), ["pair_coeff potdem/lj", "missing"]),
-    "lj keyword": (coeff("lj", "100 0.2 3 0.2 viscous 1"), ["'viscous'", "cut, linear or friction"]),
+    "lj keyword": (coeff("lj", "100 0.2 3 0.2 viscous 1"), ["'viscous'", "cut, linear, friction, rolling or twisting"]),
     "lj friction negative": (coeff("lj", "100 0.2 3 0.2 friction -1 auto"), ["friction mu = -1", ">= 0"]),
     "lj different n": (two_materials("lj", "100 0.2 3 0.2", "100 0.2 4 0.2"),
                        ["pair_style potdem/lj", "types 1 and 2", "different n", "pair_coeff 1 2"]),
@@ -66,7 +66,7 @@ CASES = {
     "granular cut a word": (coeff("granular", "100 3 0.2 cut far"), ["cut x", "'far'"]),
     "granular linear one": (coeff("granular", "100 3 0.2 linear 1"), ["linear x_min = 1", "> 0 and < 1"]),
     "granular linear a word": (coeff("granular", "100 3 0.2 linear soft"), ["linear x_min", "'soft'"]),
-    "granular keyword": (coeff("granular", "100 3 0.2 penetration 2"), ["'penetration'", "cut, linear or friction"]),
+    "granular keyword": (coeff("granular", "100 3 0.2 penetration 2"), ["'penetration'", "cut, linear, friction, rolling or twisting"]),
     "granular different n": (two_materials("granular", "100 3 0.2", "100 3.5 0.2"),
                              ["pair_style potdem/granular", "types 1 and 2", "different n", "pair_coeff 1 2"]),
     # potdem/hertz
@@ -77,7 +77,7 @@ CASES = {
     "hertz nu missing": (coeff("hertz", "100"), ["pair_coeff potdem/hertz", "missing"]),
     "hertz viscous negative": (coeff("hertz", "100 0.3 viscous -1"), ["viscous H = -1", ">= 0"]),
     "hertz viscous missing": (coeff("hertz", "100 0.3 viscous"), ["pair_coeff potdem/hertz", "missing"]),
-    "hertz keyword": (coeff("hertz", "100 0.3 damping 1"), ["'damping'", "viscous or friction"]),
+    "hertz keyword": (coeff("hertz", "100 0.3 damping 1"), ["'damping'", "viscous, restitution, friction, rolling or twisting"]),
     "hertz friction missing": (coeff("hertz", "100 0.3 friction 0.5"), ["pair_coeff potdem/hertz", "missing"]),
     "hertz viscosity a word": (coeff("hertz", "100 0.3 friction 0.5 much"), ["friction eta", "'much'"]),
 }

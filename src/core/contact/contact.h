@@ -11,9 +11,9 @@
 
 #include "core/contact/kinematics.h"
 #include "core/laws/approach.h"
-#include "core/laws/coefficients.h"
 #include "core/laws/device.h"
 #include "core/laws/evaluation.h"
+#include "core/laws/none.h"
 #include "core/laws/rolling.h"
 #include "core/laws/slide.h"
 #include "core/stability/spring.h"
@@ -22,18 +22,6 @@
 #include <type_traits>
 
 namespace POTDEM {
-
-// no rate law, no tangential law
-struct Elastic {
-  static constexpr std::array<Coefficient<Elastic>, 0> coefficients() { return {}; }
-  template <class Law> static constexpr bool serves() { return true; }
-  static constexpr bool active() { return false; }
-  static Elastic mixed(const Elastic &, const Elastic &) { return {}; }
-};
-struct Frictionless {
-  static constexpr int STATE = 0;
-  static constexpr double mu = 0.0;
-};
 
 // what resists at the surface: mi mj over mi + mj, mi over 1 at a wall, each less what spin gives way (sliding_mass)
 struct ContactMasses {
@@ -118,7 +106,8 @@ POTDEM_FUNCTION inline void surface_forces(const Tangential &tangential, const P
                                            double *state, SurfaceForces &found, Motion &&motion,
                                            Masses &&masses)
 {
-  const bool slides = pressed.normal > 0.0 && tangential.mu > 0.0;
+  const double held = tangential.mu > 0.0 ? pressed.normal : 0.0;
+  const bool slides = held > 0.0;
   if (slides) tangential.force(slide_of<SPIN>(motion(), masses(), pressed), state, found.friction);
   if constexpr (is_rolling<Tangential>) {
     double *const rolling = state + Tangential::SLIDING_STATE;
@@ -196,10 +185,10 @@ POTDEM_FUNCTION inline void add_surface(const Tangential &tangential, const Pres
 
 // its tangent, for the critical step, at the distance r along n
 template <class Kernel, class Geometry, class Rate, class Tangential>
-POTDEM_FUNCTION Spring contact_spring(const Kernel &kernel, double r, const Geometry &geometry,
-                                      double weight, const Rate &rate_law,
-                                      const Tangential &tangential, const ContactMasses &masses,
-                                      const double *n)
+POTDEM_FUNCTION inline Spring contact_spring(const Kernel &kernel, double r,
+                                             const Geometry &geometry, double weight,
+                                             const Rate &rate_law, const Tangential &tangential,
+                                             const ContactMasses &masses, const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
   Spring spring{{n[0], n[1], n[2]},

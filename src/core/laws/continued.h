@@ -19,7 +19,8 @@
 namespace POTDEM {
 
 // law: s -> Evaluation
-template <class Law> POTDEM_FUNCTION Evaluation continued(double s, double least, const Law &law)
+template <class Law>
+POTDEM_FUNCTION inline Evaluation continued(double s, double least, const Law &law)
 {
   if (s >= least) return law(s);
   const auto edge = law(least);

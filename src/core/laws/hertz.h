@@ -45,7 +45,7 @@ POTDEM_FUNCTION inline Evaluation hertz(double w, double K)
 }
 
 struct Hertz {
-  static constexpr bool contact_only = true, rate_dependent = true;
+  static constexpr bool contact_only = true, rate_dependent = true, wide = true;
 
   double E, nu;
   double modulus, shear;    // Ebar; 4 G* / Ebar
@@ -84,8 +84,8 @@ struct Hertz {
     template <class Geometry>
     POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
-      if (r >= at.contact) return {0.0, 0.0, 0.0};
-      return hertz(at.contact - r, 4.0 / 3.0 * modulus * std::sqrt(at.effective_radius()));
+      const double w = at.contact - r;
+      return hertz(w > 0.0 ? w : 0.0, 4.0 / 3.0 * modulus * std::sqrt(at.effective_radius()));
     }
   };
 

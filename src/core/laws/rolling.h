@@ -72,9 +72,9 @@ struct RollingResistance {
   POTDEM_FUNCTION void torque(const Slide &at, double R, double twist, double *state,
                               double *found) const
   {
-    double T[3] = {0.0, 0.0, 0.0}, along = 0.0;
-    if (mu > 0.0) rolling(at.stiffness).force(at, state, T);
-    if (twist_mu > 0.0) along = twisting(at.stiffness).force_along(at, R * twist, state + ROLLING);
+    double T[3];
+    rolling(at.stiffness).force(at, state, T);
+    const double along = twisting(at.stiffness).force_along(at, R * twist, state + ROLLING);
     const double *const n = at.n;
     found[0] = R * (n[1] * T[2] - n[2] * T[1] + along * n[0]);
     found[1] = R * (n[2] * T[0] - n[0] * T[2] + along * n[1]);

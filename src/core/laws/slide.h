@@ -39,11 +39,12 @@ struct Slide {
 
 // of a normal law's kernel; 0: it does not know
 template <class Kernel>
-POTDEM_FUNCTION auto shear_ratio_of(const Kernel &kernel, int) -> decltype(kernel.shear_ratio + 0.0)
+POTDEM_FUNCTION inline auto shear_ratio_of(const Kernel &kernel, int)
+    -> decltype(kernel.shear_ratio + 0.0)
 {
   return kernel.shear_ratio;
 }
-template <class Kernel> POTDEM_FUNCTION double shear_ratio_of(const Kernel &, long)
+template <class Kernel> POTDEM_FUNCTION inline double shear_ratio_of(const Kernel &, long)
 {
   return 0.0;
 }

@@ -49,22 +49,19 @@ struct SlipSpring {
     const double *const n = at.n;
     const double out = state[0] * n[0] + state[1] * n[1] + state[2] * n[2];
     for (int c = 0; c < 3; c++) T[c] = state[c] - out * n[c];
-    if (at.turn != 0.0 && at.advance) {
-      T[0] += at.turn * (n[1] * state[2] - n[2] * state[1]);
-      T[1] += at.turn * (n[2] * state[0] - n[0] * state[2]);
-      T[2] += at.turn * (n[0] * state[1] - n[1] * state[0]);
-    }
-    const double left = square(T);
-    if (left == 0.0) return;
-    const double scale = std::sqrt(square(state) / left) * (k < state[3] ? k / state[3] : 1.0);
+    const double turn = at.advance ? at.turn : 0.0;
+    T[0] += turn * (n[1] * state[2] - n[2] * state[1]);
+    T[1] += turn * (n[2] * state[0] - n[0] * state[2]);
+    T[2] += turn * (n[0] * state[1] - n[1] * state[0]);
+    const double left = square(T), longer = left > 0.0 ? square(state) / left : 0.0;
+    const double scale = std::sqrt(longer) * (k < state[3] ? k / state[3] : 1.0);
     for (int c = 0; c < 3; c++) T[c] *= scale;
   }
 
-  POTDEM_FUNCTION static void limit(double *T, double most)
+  POTDEM_FUNCTION static void limit(double *T, double most, bool applies = true)
   {
-    const double size = square(T);
-    if (size <= most * most) return;
-    const double share = most / std::sqrt(size);
+    const double size = applies ? square(T) : 0.0;
+    const double share = size > most * most ? most / std::sqrt(size) : 1.0;
     for (int c = 0; c < 3; c++) T[c] *= share;
   }
 
@@ -73,28 +70,31 @@ struct SlipSpring {
     const double most = mu * at.normal, c = xi > 0.0 ? viscosity(at) : 0.0;
     double T[3];
     turned(at, state, T);
-    for (int d = 0; d < 3 && at.advance; d++) T[d] -= k * at.u[d] * at.dt;
+    const double dt = at.advance ? at.dt : 0.0;
+    for (int d = 0; d < 3; d++) T[d] -= k * at.u[d] * dt;
     limit(T, most);
     for (int d = 0; d < 3; d++) f[d] = T[d] - c * at.u[d];
-    if (c > 0.0) limit(f, most);
-    if (!at.advance) return;
-    for (int d = 0; d < 3; d++) state[d] = T[d];
-    state[3] = k;
+    limit(f, most, c > 0.0);
+    for (int d = 0; d < 3; d++) state[d] = at.advance ? T[d] : state[d];
+    state[3] = at.advance ? k : state[3];
+  }
+
+  POTDEM_FUNCTION static double within(double T, double most)
+  {
+    const double above = T > -most ? T : -most;
+    return above < most ? above : most;
   }
 
   // the same for a motion along the normal at the speed u. state: T, k
   POTDEM_FUNCTION double force_along(const Slide &at, double u, double *state) const
   {
     const double most = mu * at.normal;
-    double T = state[0] * (k < state[1] ? k / state[1] : 1.0);
-    if (at.advance) T -= k * u * at.dt;
-    T = std::fmax(-most, std::fmin(most, T));
+    const double had = state[0] * (k < state[1] ? k / state[1] : 1.0);
+    const double T = within(had - k * u * (at.advance ? at.dt : 0.0), most);
     const double damped = xi > 0.0 ? T - viscosity(at) * u : T;
-    if (at.advance) {
-      state[0] = T;
-      state[1] = k;
-    }
-    return std::fmax(-most, std::fmin(most, damped));
+    state[0] = at.advance ? T : state[0];
+    state[1] = at.advance ? k : state[1];
+    return within(damped, most);
   }
 
   // as the second particle sees it

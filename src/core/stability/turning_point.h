@@ -21,7 +21,8 @@ namespace POTDEM {
 
 // law: distance -> Evaluation
 template <class Law>
-POTDEM_FUNCTION double turning_point(double outer, double core, double kinetic, const Law &law)
+POTDEM_FUNCTION inline double turning_point(double outer, double core, double kinetic,
+                                            const Law &law)
 {
   constexpr int most = 30;
   constexpr double enough = 0.1, rounding = 1e-10, within = 1.0 - 1e-9;
@@ -42,8 +43,8 @@ POTDEM_FUNCTION double turning_point(double outer, double core, double kinetic, 
 // how near two bodies come that are r apart and whose distance changes with `rate`, if they touch within the time `ahead`;
 // else r. reach, hard_core: where the law begins and ends; mass: the effective one
 template <class Law>
-POTDEM_FUNCTION double closest_approach(double r, double rate, double ahead, double reach,
-                                        double hard_core, double mass, const Law &law)
+POTDEM_FUNCTION inline double closest_approach(double r, double rate, double ahead, double reach,
+                                               double hard_core, double mass, const Law &law)
 {
   if (rate >= 0.0 || r + rate * ahead >= reach) return r;
   return turning_point(std::fmin(r, reach), hard_core, 0.5 * mass * rate * rate, law);

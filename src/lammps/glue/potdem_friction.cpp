@@ -12,7 +12,7 @@
 
 using namespace LAMMPS_NS;
 
-const char *const LAMMPS_NS::POTDEM_FRICTION_NAMES = "friction, rolling, twisting";
+const char *const LAMMPS_NS::POTDEM_FRICTION_NAMES = "friction, rolling";
 
 // the law that the keyword after mu says
 static PotdemTangential::Laws::Any law_by_keyword(PotdemInput &input)

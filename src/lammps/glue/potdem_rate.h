@@ -8,8 +8,8 @@
 #ifndef LMP_POTDEM_RATE_H
 #define LMP_POTDEM_RATE_H
 
-#include "core/contact/contact.h"
 #include "core/laws/law_list.h"
+#include "core/laws/none.h"
 #include "lammps/glue/potdem_any_law.h"
 
 #include <string>

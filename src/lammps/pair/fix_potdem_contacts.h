@@ -55,22 +55,33 @@ class FixPotdemContacts : public FixNeighHistory {
     return firstflag[i][jj] ? firstvalue[i] + dnum * static_cast<bigint>(jj) : nullptr;
   }
 
-  // a pair that touches: its state, which begins with zeros
-  double *touch(int i, int jj)
-  {
-    double *const values = firstvalue[i] + dnum * static_cast<bigint>(jj);
-    if (!firstflag[i][jj]) std::fill_n(values, dnum, 0.0);
-    firstflag[i][jj] = 1;
-    return values + 1;
-  }
-  // one that does not
-  void part(int i, int jj)
-  {
-    if (!firstflag[i][jj]) return;
-    double *const values = firstvalue[i] + dnum * static_cast<bigint>(jj);
-    std::fill_n(values + 1, dnum - 1, 0.0);
-    firstflag[i][jj] = values[0] != 0.0;
-  }
+  // of the pairs in the list of a particle
+  struct Row {
+    int *flags = nullptr;
+    double *values = nullptr;
+    int width = 0;
+
+    double *of(int jj) const { return values + width * static_cast<bigint>(jj); }
+    // distance at which the law begins; 0: where the two touch
+    double begins(int jj) const { return flags[jj] ? *of(jj) : 0.0; }
+    // a pair that touches: its state, which begins with zeros
+    double *touch(int jj) const
+    {
+      double *const mine = of(jj);
+      if (!flags[jj]) std::fill_n(mine, width, 0.0);
+      flags[jj] = 1;
+      return mine + 1;
+    }
+    // one that does not
+    void part(int jj) const
+    {
+      if (!flags[jj]) return;
+      double *const mine = of(jj);
+      std::fill_n(mine + 1, width - 1, 0.0);
+      flags[jj] = *mine != 0.0;
+    }
+  };
+  Row row(int i) const { return {firstflag[i], firstvalue[i], dnum}; }
 
  protected:
   void pre_exchange_newton() override;

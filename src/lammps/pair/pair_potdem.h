@@ -12,13 +12,14 @@
      double reach(double dbar) const           interaction distance for mean diameter dbar
      contact_only                              reach is dbar: the short neighbour list by diameters will do; it only repels
      rate_dependent                            'viscous H' may act beside it
+     wide                                      (optional) its Kernel has no branches, and so makes vector instructions
      Kernel kernel(bool shift) const           the law made ready for the loop, once per init
    and a Kernel has evaluate(r, geometry) -> Evaluation and hard_core(geometry), the distance that must not be reached. */
 
 #ifndef LMP_PAIR_POTDEM_H
 #define LMP_PAIR_POTDEM_H
 
-#include "core/contact/contact.h"
+#include "core/contact/contact_batch.h"
 #include "core/laws/law_list.h"
 #include "lammps/glue/potdem_friction.h"
 #include "lammps/glue/potdem_rate.h"
@@ -70,6 +71,8 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   PotdemFrictions frictions;    // likewise
   bool kernel_known;
   bool sliding, viscous;    // any friction, any viscous part at all
+  static constexpr int WIDE = 16;
+  POTDEM::Width width;      // of the machine's registers
   double monitored_step;    // for which the alarms are set
 
   // a coefficient of all pairs of types as fix adapt wants it
@@ -122,9 +125,41 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void choose_rate(ThreadShare &, const Tangential *);
   template <class Tangential, class Rate, bool SPIN, bool EV>
   void loop(ThreadShare &, const Tangential *, const Rate *);
-  template <bool SPIN, bool ROLL>
-  void add_surface(const ThreadShare &, int i, int j, const double *del,
-                   const POTDEM::SurfaceForces &, double *push);
+  bool is_collapsed(ThreadShare &, int i, int j, const POTDEM::ContactGeometry &) const;
+
+  // arrays of particles
+  struct Particles {
+    const double (*x)[3], (*v)[3], (*omega)[3], *radius, *rmass;
+    const int *type;
+    double (*f)[3], (*torque)[3];
+    int nlocal, newton;
+
+    Particles(const class Atom *, const ThreadShare &, int newton);
+  };
+
+  // whose contacts a batch has
+  template <int LANES> struct Lanes {
+    int n = 0;    // in use
+    int i[LANES], j[LANES];
+    double *state[LANES];
+    int current = -1;    // particle whose force is being summed up
+    double force[3] = {0.0, 0.0, 0.0};
+
+    void add_force(double (*f)[3])
+    {
+      for (int k = 0; k < 3; k++) {
+        if (current >= 0) f[current][k] += force[k];
+        force[k] = 0.0;
+      }
+    }
+  };
+
+  template <class Batch> static void gather_motion(Batch &, const Particles &, int i, int j, int l);
+  template <bool EV, class Batch, class Owners>
+  void take(const ThreadShare &, const Particles &, const Batch &, Owners &);
+  template <class Batch>
+  static void take_torques(const Particles &, const Batch &, int i, int j, bool to_both, int l);
+  template <class Batch> void book(const Batch &, int i, int j, int l) const;
 };
 
 }    // namespace LAMMPS_NS

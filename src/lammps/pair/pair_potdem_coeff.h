@@ -28,7 +28,7 @@ namespace LAMMPS_NS {
 template <class Law>
 PairPotdem<Law>::PairPotdem(LAMMPS *lmp) :
     PairPotdemBase(lmp), of_style(potdem_default_rate<Law>()), kernel_known(false), sliding(false),
-    viscous(false), monitored_step(0.0)
+    viscous(false), width(POTDEM::widest()), monitored_step(0.0)
 {
   writedata = 1;
   single_enable = 1;
@@ -141,7 +141,7 @@ template <class Law> void PairPotdem<Law>::read(PotdemMaterialInput &input, int 
     for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
       if (!more.empty()) names += more + ", ";
     input.word();
-    input.unknown(names + POTDEM_FRICTION_NAMES);
+    input.unknown(names + POTDEM_FRICTION_NAMES + " or twisting");
   }
   potdem_check_friction<Law>(input, rough, rotation);
   laws[pair] = law;

@@ -8,6 +8,7 @@
 #ifndef LMP_PAIR_POTDEM_LOOP_H
 #define LMP_PAIR_POTDEM_LOOP_H
 
+#include "core/contact/contact_batch.h"
 #include "lammps/pair/fix_potdem_contacts.h"
 #include "lammps/pair/pair_potdem.h"
 
@@ -18,6 +19,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace LAMMPS_NS {
@@ -107,116 +109,178 @@ void PairPotdem<Law>::choose_rate(ThreadShare &share, const Tangential *rough)
       dashpots);
 }
 
-// one particle i at a time, its force kept in registers
+// contacts in the order of the list, gathered in batches of one or several
 template <class Law>
 template <class Tangential, class Rate, bool SPIN, bool EV>
 void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough, const Rate *rate_laws)
 {
-  constexpr bool RATE = !std::is_same_v<Rate, POTDEM::Elastic>;
   constexpr bool SLIDE = !std::is_same_v<Tangential, POTDEM::Frictionless>;
-  constexpr bool ROLL = POTDEM::is_rolling<Tangential>;
-  constexpr double spin_share = SPIN ? POTDEM::sliding_mass(1.0, POTDEM::SPHERE_INERTIA) : 1.0;
-  constexpr Tangential frictionless{};
-  const auto *const x = (const double(*)[3]) atom->x[0];
-  const auto *const v = (const double(*)[3]) atom->v[0];
-  const auto *const omega = SPIN ? (const double(*)[3]) atom->omega[0] : nullptr;
-  auto *const f = (double(*)[3]) share.f[0];
-  const double *const radius = atom->radius, *const rmass = atom->rmass;
+  constexpr int LANES = POTDEM::is_wide<Law>(0) && SLIDE ? WIDE : 1;
+  using Batch = POTDEM::ContactBatch<Kernel, Rate, Tangential, SPIN, LANES>;
+  const POTDEM::PairLaws<Kernel, Rate, Tangential> all{kernels.data(), rate_laws, rough};
+  const Particles at_hand(atom, share, force->newton_pair);
   const double *const special = force->special_lj, *const nearest = alarm.data();
-  const int *const type = atom->type;
-  const int nlocal = atom->nlocal, newton = force->newton_pair;
+  const Law *const law = laws.data();
   const bool remembering = contacts && contacts->any(), advance = !update->setupflag;
   const double dt = update->dt, step = dt / force->mvv2e;
+  Batch batch;
+  if constexpr (LANES > 1) batch = {};
+  Lanes<LANES> lanes;
 
   for (int ii = share.from; ii < share.to; ii++) {
-    const int i = list->ilist[ii], pairs = at(type[i], 0), jnum = list->numneigh[i];
-    const int *const jlist = list->firstneigh[i];
-    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], ri = radius[i];
-    double fi[3] = {0.0, 0.0, 0.0};
+    const int i = list->ilist[ii], jnum = list->numneigh[i];
+    const int pairs = at(at_hand.type[i], 0), *const jlist = list->firstneigh[i];
+    const auto &xi = at_hand.x[i];
+    const double ri = at_hand.radius[i];
+    const auto kept = remembering ? contacts->row(i) : FixPotdemContacts::Row();
     for (int jj = 0; jj < jnum; jj++) {
-      const int j = jlist[jj] & NEIGHMASK, pair = pairs + type[j];
-      const double weight = special[sbmask(jlist[jj])], rj = radius[j];
-      const double del[3] = {xi - x[j][0], yi - x[j][1], zi - x[j][2]};
+      const int j = jlist[jj] & NEIGHMASK, pair = pairs + at_hand.type[j];
+      const double weight = special[sbmask(jlist[jj])], rj = at_hand.radius[j];
+      const auto &xj = at_hand.x[j];
+      const double del[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
       const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
-      const double reach = laws[pair].reach(ri + rj);
+      const double reach = law[pair].reach(ri + rj), near = nearest[pair] * (ri + rj);
       if (r2 >= reach * reach || weight == 0.0) {
-        if constexpr (Tangential::STATE > 0) contacts->part(i, jj);
+        if constexpr (Tangential::STATE > 0) kept.part(jj);
         continue;
       }
+      const double begins = remembering ? kept.begins(jj) : 0.0;
+      const auto partners = begins != 0.0 ? geometry(i, j, begins)
+                                          : POTDEM::ContactGeometry{ri, rj, ri + rj};
+      if (!(r2 > near * near) && is_collapsed(share, i, j, partners)) return;
 
-      const double r = sqrt(r2), near = nearest[pair] * (ri + rj);
-      const double *const memory = remembering ? contacts->memory(i, jj) : nullptr;
-      const auto partners = memory ? geometry(i, j, *memory)
-                                   : POTDEM::ContactGeometry{ri, rj, ri + rj};
-      if (!(r2 > near * near)) {    // true for NaN as well
-        if (!(r > kernels[pair].hard_core(partners))) {
-          share.i = i;
-          share.j = j;
-          return;
-        }
-        if (monitor) suspect(share, i, j);
+      const int l = lanes.n++;
+      lanes.i[l] = i;
+      lanes.j[l] = j;
+      batch.pair[l] = pair;
+      for (int k = 0; k < 3; k++) batch.del[k][l] = del[k];
+      batch.r2[l] = r2;
+      batch.ri[l] = ri;
+      batch.rj[l] = rj;
+      batch.contact[l] = partners.contact;
+      batch.weight[l] = weight;
+      gather_motion(batch, at_hand, i, j, l);
+      if constexpr (Tangential::STATE > 0) {
+        double *const state = lanes.state[l] = kept.touch(jj);
+        for (int k = 0; k < Tangential::STATE; k++) batch.state[k][l] = state[k];
       }
-
-      const auto motion = [&] {
-        POTDEM::ContactMotion m{{del[0], del[1], del[2]}, r, {}, {}, {}, {}};
-        for (int k = 0; k < 3; k++) m.v[k] = v[i][k] - v[j][k];
-        if constexpr (SPIN) POTDEM::spin_of(omega[i], omega[j], ri, rj, m);
-        return m;
-      };
-      const auto masses = [&] {
-        const double mi = rmass[i], mj = rmass[j];
-        const POTDEM::ContactMasses both{spin_share * mi * mj, mi + mj, step, dt, spin_share};
-        return ROLL ? POTDEM::with_rolling(both, mi, mj, ri, rj) : both;
-      };
-      double *state = nullptr;
-      if constexpr (Tangential::STATE > 0) state = contacts->touch(i, jj);
-      Rate rate{};
-      if constexpr (RATE) rate = rate_laws[pair];
-      const auto found = POTDEM::contact_forces<SPIN>(kernels[pair], r, partners, weight, rate,
-                                                      SLIDE ? rough[pair] : frictionless, state,
-                                                      advance, motion, masses);
-
-      const double along = found.normal / r;
-      double push[3] = {along * del[0], along * del[1], along * del[2]};
-      if (RATE && ledger && r < partners.contact) {
-        const double viscous = found.viscous / r;
-        const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
-        note(FixPotdemLedger::VISCOUS, i, j, drag);
-      }
-      if (SLIDE && found.normal > 0.0)
-        add_surface<SPIN, ROLL>(share, i, j, del, found.surface, push);
-      for (int k = 0; k < 3; k++) fi[k] += push[k];
-      if (newton || j < nlocal)
-        for (int k = 0; k < 3; k++) f[j][k] -= push[k];
-      if (EV) tally(share, i, j, del, weight * found.elastic.energy, push);
+      if (lanes.n < LANES) continue;
+      batch.find_all(width, all, advance, step, dt);
+      take<EV>(share, at_hand, batch, lanes);
     }
-    for (int k = 0; k < 3; k++) f[i][k] += fi[k];
+  }
+  if constexpr (LANES > 1) {
+    batch.find_all(width, all, advance, step, dt);
+    take<EV>(share, at_hand, batch, lanes);
+  }
+  lanes.add_force(at_hand.f);
+}
+
+template <class Law>
+PairPotdem<Law>::Particles::Particles(const Atom *atom, const ThreadShare &share, int newton_pair) :
+    radius(atom->radius), rmass(atom->rmass), type(atom->type), nlocal(atom->nlocal),
+    newton(newton_pair)
+{
+  const auto first = [](double **array) {
+    return array ? (double(*)[3]) array[0] : nullptr;
+  };
+  x = first(atom->x);
+  v = first(atom->v);
+  omega = first(atom->omega);
+  f = first(share.f);
+  torque = first(share.torque);
+}
+
+// a pair nearer than any that can be passed over without a look (true for NaN, too): collapsed, or only doubtful
+template <class Law>
+bool PairPotdem<Law>::is_collapsed(ThreadShare &share, int i, int j,
+                                   const POTDEM::ContactGeometry &partners) const
+{
+  if (!(distance(i, j) > kernels[at(atom->type[i], atom->type[j])].hard_core(partners))) {
+    share.i = i;
+    share.j = j;
+    return true;
+  }
+  if (monitor) suspect(share, i, j);
+  return false;
+}
+
+template <class Law>
+template <class Batch>
+inline void PairPotdem<Law>::gather_motion(Batch &batch, const Particles &all, int i, int j, int l)
+{
+  if (!Batch::SLIDE && !Batch::RATE) return;
+  for (int k = 0; k < 3; k++) batch.v[k][l] = all.v[i][k] - all.v[j][k];
+  batch.mi[l] = all.rmass[i];
+  batch.mj[l] = all.rmass[j];
+  if (!Batch::SPINS) return;
+  for (int k = 0; k < 3; k++) {
+    batch.wi[k][l] = all.omega[i][k];
+    batch.wj[k][l] = all.omega[j][k];
   }
 }
 
-// to the force on i, and to the torques
+// what a batch has found, contact by contact; the force on the first particle of several contacts is summed up before it is added
 template <class Law>
-template <bool SPIN, bool ROLL>
-inline void PairPotdem<Law>::add_surface(const ThreadShare &share, int i, int j, const double *del,
-                                         const POTDEM::SurfaceForces &found, double *push)
+template <bool EV, class Batch, class Owners>
+inline void PairPotdem<Law>::take(const ThreadShare &share, const Particles &all,
+                                  const Batch &batch, Owners &lanes)
 {
-  const double *const friction = found.friction;
-  for (int k = 0; k < 3; k++) push[k] += friction[k];
-  if (ledger) note(FixPotdemLedger::FRICTION, i, j, friction);
-  if (!SPIN) return;
-  const double ri = atom->radius[i], rj = atom->radius[j], inverse = 1.0 / (ri + rj);
-  double turn[3];
-  POTDEM::torque_over_lever(del, friction, turn);
-  for (int k = 0; k < 3; k++) turn[k] *= inverse;
-  if (ledger) note_torque(i, j, ri, rj, turn);
-  for (int k = 0; k < 3; k++) share.torque[i][k] += ri * turn[k];
-  if (force->newton_pair || j < atom->nlocal)
-    for (int k = 0; k < 3; k++) share.torque[j][k] += rj * turn[k];
-  if (!ROLL) return;
-  if (ledger) note_torque(i, j, 1.0, -1.0, found.torque);
-  for (int k = 0; k < 3; k++) share.torque[i][k] += found.torque[k];
-  if (force->newton_pair || j < atom->nlocal)
-    for (int k = 0; k < 3; k++) share.torque[j][k] -= found.torque[k];
+  for (int l = 0; l < lanes.n; l++) {
+    const int i = lanes.i[l], j = lanes.j[l];
+    for (int k = 0; k < Batch::STATE; k++) lanes.state[l][k] = batch.state[k][l];
+    if (i != lanes.current) {
+      lanes.add_force(all.f);
+      lanes.current = i;
+    }
+    const double push[3] = {batch.push[0][l], batch.push[1][l], batch.push[2][l]};
+    for (int k = 0; k < 3; k++) lanes.force[k] += push[k];
+    const bool to_both = all.newton || j < all.nlocal;
+    if (to_both)
+      for (int k = 0; k < 3; k++) all.f[j][k] -= push[k];
+    if (Batch::SPINS && batch.normal[l] > 0.0) take_torques(all, batch, i, j, to_both, l);
+    if (ledger) book(batch, i, j, l);
+    if (EV) {
+      const double del[3] = {batch.del[0][l], batch.del[1][l], batch.del[2][l]};
+      tally(share, i, j, del, batch.weight[l] * batch.energy[l], push);
+    }
+  }
+  lanes.n = 0;
+}
+
+template <class Law>
+template <class Batch>
+inline void PairPotdem<Law>::take_torques(const Particles &all, const Batch &batch, int i, int j,
+                                          bool to_both, int l)
+{
+  const double ri = batch.ri[l], rj = batch.rj[l];
+  for (int k = 0; k < 3; k++) all.torque[i][k] += ri * batch.turn[k][l];
+  if (to_both)
+    for (int k = 0; k < 3; k++) all.torque[j][k] += rj * batch.turn[k][l];
+  if (!Batch::ROLL) return;
+  for (int k = 0; k < 3; k++) all.torque[i][k] += batch.rolling[k][l];
+  if (to_both)
+    for (int k = 0; k < 3; k++) all.torque[j][k] -= batch.rolling[k][l];
+}
+
+// in the ledger
+template <class Law>
+template <class Batch>
+void PairPotdem<Law>::book(const Batch &batch, int i, int j, int l) const
+{
+  const auto of = [l](const double(&of_lanes)[3][Batch::LANES]) {
+    return std::array<double, 3>{of_lanes[0][l], of_lanes[1][l], of_lanes[2][l]};
+  };
+  if (Batch::RATE && batch.r[l] < batch.contact[l]) {
+    const double viscous = batch.viscous[l] / batch.r[l];
+    const auto del = of(batch.del);
+    const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
+    note(FixPotdemLedger::VISCOUS, i, j, drag);
+  }
+  if (!Batch::SLIDE || !(batch.normal[l] > 0.0)) return;
+  note(FixPotdemLedger::FRICTION, i, j, of(batch.friction).data());
+  if (Batch::SPINS) note_torque(i, j, batch.ri[l], batch.rj[l], of(batch.turn).data());
+  if (Batch::ROLL) note_torque(i, j, 1.0, -1.0, of(batch.rolling).data());
 }
 
 // what the second particle of a pair remembers, from what the first does

@@ -104,7 +104,7 @@ void FixPotdemWallRegion::read_common(PotdemMaterialInput &input, const std::str
     read_rotation(input);
   } else if (!potdem_read_friction(input, friction)) {
     input.word();
-    input.unknown(names + POTDEM_FRICTION_NAMES + " or rotation");
+    input.unknown(names + POTDEM_FRICTION_NAMES + ", twisting or rotation");
   }
 }
 
