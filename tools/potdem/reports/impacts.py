@@ -197,7 +197,8 @@ def remarks(scenes, results):
         f"off by {own:.1e}. Its `limit_damping` ends the pull, and changes e (below).",
         "Test 8 with types that GRANULAR mixes itself (`pair_coeff 1 1`, `pair_coeff 2 2`), instead of the modulus of the pair "
         f"worked out by hand as in the table: off by {mixed:.2g} against the same answer. It takes E* of the pair for the E of a "
-        "material when it works out the tangential stiffness, which is then too low. POTDEM: `pair_coeff 1 2 mixed`.",
+        "material when it works out the tangential stiffness, which is then too low ([For LAMMPS](../upstream.md)). POTDEM: "
+        "`pair_coeff 1 2 mixed`.",
         f"Test 5, polyethylene: the overlap is {overlap:.1f} % of the radius, and POTDEM's arms of friction end at the contact "
         "point, GRANULAR's at the radius. That is POTDEM's difference from the equation for small overlaps, here and in test 4.",
         "The spring without slip, which both codes have, is a model: from friction that slips in a ring (test 5) it differs by "
