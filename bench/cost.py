@@ -30,6 +30,7 @@ class Case:
     parts: tuple
     variables: dict = field(default_factory=dict)
     base: "Case | None" = None
+    script: str = "in.cost"
 
 
 def bond(name, coeff="", style="potdem"):
@@ -38,6 +39,10 @@ def bond(name, coeff="", style="potdem"):
 
 def contact(name, style, coeff):
     return Case(name, "contact", "contact", ("Pair",), {"pair": style, "coeff": coeff})
+
+
+def grains(name, style):
+    return Case(name, style, "particle", ("Loop",), {"n": 29, "steps": 1000}, script="in.grains")
 
 
 SOLID = Case("", "potdem", "bond", ("Loop",))
@@ -89,6 +94,11 @@ TABLES = {
         wall("no particle touches", region="far"),
         added("`fix potdem/damping`", LAYER, "fix damp all potdem/damping 0.1", parts=("Modify",)),
     ],
+    "24 389 grains that settle, the whole loop": [
+        grains("`potdem/hertz`, walls of `fix potdem/wall/region`", "potdem"),
+        grains("LAMMPS's `gran/hertz/history`, `fix wall/gran`", "history"),
+        grains("LAMMPS's `granular`, `fix wall/gran/region`", "granular"),
+    ],
     "When evaluated": [
         added("`compute potdem/strain/atom`", SOLID, "compute strain all potdem/strain/atom",
               "fix each all ave/atom 1 1 1 c_strain[1]", parts=("Modify",), per="particle"),
@@ -100,6 +110,8 @@ COMPARED = [
     ("Bonds", 0, 1, "a bond over one of bpm/spring"),
     ("Contacts", 6, 7, "a contact with friction and rotation over one of gran/hertz/history"),
     ("Contacts", 10, 7, "one that remembers its friction, mindlin, over one of gran/hertz/history"),
+    ("24 389 grains that settle, the whole loop", 0, 1, "the loop of settling grains over that of gran/hertz/history"),
+    ("24 389 grains that settle, the whole loop", 0, 2, "and over that of granular"),
 ]
 
 
@@ -112,24 +124,25 @@ class Bench:
 
     def run(self, case):
         """seconds of the loop's parts that count for the case, and the number of bonds, contacts or particles"""
-        key = str((case.style, case.variables))
+        key = str((case.script, case.style, case.variables))
+        given = {"n": self.size, "steps": self.steps, "style": case.style, **case.variables}
         if key not in self.known:
-            self.known[key] = launch({"style": case.style, **case.variables, "n": self.size, "steps": self.steps}, self.lmp)
+            self.known[key] = launch(case.script, given, self.lmp)
         parts, links = self.known[key]
-        return sum(parts[part] for part in case.parts), self.size**3 if case.per == "particle" else links
+        return sum(parts[part] for part in case.parts), given["n"] ** 3 if case.per == "particle" else links
 
     def cost(self, case):
         """ns each and step"""
         seconds, count = self.run(case)
         without = self.run(case.base)[0] if case.base else 0.0
-        return 1e9 * (seconds - without) / count / self.steps
+        return 1e9 * (seconds - without) / count / case.variables.get("steps", self.steps)
 
 
-def launch(variables, lmp=None):
+def launch(script, variables, lmp=None):
     """seconds of each part of the loop, and the number in the last column of the thermo output; lmp: if not the build's"""
     given = {name: value for name, value in variables.items() if value != ""}
     with tempfile.TemporaryDirectory() as folder:
-        text = running.must_run(HERE / "in.cost", given, folder, lmp=lmp).stdout
+        text = running.must_run(HERE / script, given, folder, lmp=lmp).stdout
     parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
     parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
     return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[-1])
@@ -182,7 +195,7 @@ def against(arguments):
             seconds = {bench.lmp: bench.run(case)[0] for bench in (benches if number % 2 else benches[::-1])}
             theirs, ours = seconds[benches[0].lmp], seconds[None]
             ratios[id(case)].append(ours / theirs)
-            costs[id(case)].append(1e9 * theirs / benches[0].run(case)[1] / arguments.steps)
+            costs[id(case)].append(benches[0].cost(replace(case, base=None)))
         print(f"round {number + 1} of {arguments.repeats} done", file=sys.stderr, flush=True)
     rows = [(case.name, "+".join(case.parts), spread(costs[id(case)]), spread(ratios[id(case)], 3)) for case in cases]
     return writing.table(("case", "part of the loop", "theirs, ns each and step", "ours over theirs"), rows)

@@ -54,7 +54,8 @@ struct SurfaceForces {
 struct ContactForces {
   Evaluation elastic;    // of the normal law; the others carry the weight
   double normal;
-  double viscous;    // the part of `normal` that has no potential
+  double pressing;    // of `normal`, what presses the two together: cohesion left out
+  double viscous;     // the part of `normal` that has no potential
   SurfaceForces surface;
 };
 
@@ -121,10 +122,24 @@ POTDEM_FUNCTION inline void surface_forces(const Tangential &tangential, const P
     for (int k = 0; k < SLIDING_STATE; k++) state[k] = 0.0;
 }
 
-POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
-                                         double weight, const ContactMasses &masses)
+// force by which a cohesive law pulls two that touch; 0 of the others
+template <class Kernel, class Geometry>
+POTDEM_FUNCTION inline auto pull_of(const Kernel &kernel, const Geometry &geometry, int)
+    -> decltype(kernel.pull(geometry))
 {
-  return {elastic.force, elastic.energy, overlap, rate, masses.along_normal() / weight};
+  return kernel.pull(geometry);
+}
+template <class Kernel, class Geometry>
+POTDEM_FUNCTION inline double pull_of(const Kernel &, const Geometry &, long)
+{
+  return 0.0;
+}
+
+POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
+                                         double weight, const ContactMasses &masses, double pull)
+{
+  return {elastic.force + pull, elastic.energy + pull * overlap, overlap, rate,
+          masses.along_normal() / weight};
 }
 
 // motion and masses as above. state: what the tangential law remembers, or null
@@ -135,18 +150,22 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
                const Rate &rate_law, const Tangential &tangential, double *state, bool advance,
                Motion &&motion, Masses &&masses)
 {
-  ContactForces found{kernel.evaluate(r, geometry), 0.0, 0.0, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
+  ContactForces found{
+      kernel.evaluate(r, geometry), 0.0, 0.0, 0.0, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
+  const double pull = r < geometry.contact ? pull_of(kernel, geometry, 0) : 0.0;
   double normal = found.elastic.force;
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact) {
       normal = rate_law.total(approach(found.elastic, geometry.contact - r,
-                                       rate_of_distance(motion()), weight, masses()));
+                                       rate_of_distance(motion()), weight, masses(), pull)) -
+          pull;
       found.viscous = weight * (normal - found.elastic.force);
     }
   found.normal = weight * normal;
+  found.pressing = weight * (normal + pull);
   if constexpr (!std::is_same_v<Tangential, Frictionless>) {
-    const Pressed pressed{found.normal, weight * found.elastic.stiffness, shear_ratio_of(kernel, 0),
-                          geometry.effective_radius(), advance};
+    const Pressed pressed{found.pressing, weight * found.elastic.stiffness,
+                          shear_ratio_of(kernel, 0), geometry.effective_radius(), advance};
     surface_forces<SPIN>(tangential, pressed, state, found.surface, motion, masses);
   }
   return found;
@@ -191,6 +210,7 @@ POTDEM_FUNCTION inline Spring contact_spring(const Kernel &kernel, double r,
                                              const ContactMasses &masses, const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
+  const double pull = r < geometry.contact ? pull_of(kernel, geometry, 0) : 0.0;
   Spring spring{{n[0], n[1], n[2]},
                 weight * law.stiffness,
                 Geometry::flat ? 0.0 : -weight * law.force / r,
@@ -198,14 +218,14 @@ POTDEM_FUNCTION inline Spring contact_spring(const Kernel &kernel, double r,
                 0.0};
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact)
-      spring.viscosity =
-          weight * rate_law.viscosity(approach(law, geometry.contact - r, 0.0, weight, masses));
+      spring.viscosity = weight *
+          rate_law.viscosity(approach(law, geometry.contact - r, 0.0, weight, masses, pull));
   if constexpr (!std::is_same_v<Tangential, Frictionless>)
-    if (law.force > 0.0)
-      add_surface(
-          tangential,
-          {weight * law.force, weight * law.stiffness, shear_ratio_of(kernel, 0), 0.0, false},
-          masses, spring);
+    if (law.force + pull > 0.0)
+      add_surface(tangential,
+                  {weight * (law.force + pull), weight * law.stiffness, shear_ratio_of(kernel, 0),
+                   0.0, false},
+                  masses, spring);
   return spring;
 }
 

@@ -80,7 +80,7 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
   // what is found, on the first: the whole force, and of it what is friction and what is viscous
   double push[3][LANES], friction[3][LANES], rolling[3][LANES];
   double turn[3][LANES];    // torque of friction over lever
-  double r[LANES], normal[LANES], viscous[LANES], energy[LANES];
+  double r[LANES], pressing[LANES], viscous[LANES], energy[LANES];
 
   POTDEM_FUNCTION void find(int l, const Kernel &kernel, const Rate &rate, const Tangential &rough,
                             bool advance, double step, double dt)
@@ -113,7 +113,7 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
 
     const double along = found.normal / distance;
     r[l] = distance;
-    normal[l] = found.normal;
+    pressing[l] = found.pressing;
     viscous[l] = found.viscous;
     energy[l] = found.elastic.energy;
     for (int k = 0; k < 3; k++) push[k][l] = along * to[k];

@@ -8,6 +8,7 @@
 #ifndef POTDEM_LAW_LIST_H
 #define POTDEM_LAW_LIST_H
 
+#include "dmt.h"
 #include "hertz.h"
 #include "mindlin.h"
 #include "regularised_granular.h"
@@ -23,6 +24,7 @@
 
 // X(name, Law): pair_style potdem/NAME, and 'law NAME' of fix potdem/wall/region
 #define CONTACT_LAWS(X) \
+  X(dmt, Dmt) \
   X(granular, RegularisedGranular) \
   X(hertz, Hertz) \
   X(lj, ShiftedLJ) \

@@ -194,7 +194,7 @@ void PairPotdem<Law>::dissipative(int pair, int i, int j, double r, double weigh
   MathExtra::norm3(n);
   const double across = MathExtra::len3(rubs.friction), twist = MathExtra::dot3(rubs.torque, n);
   constexpr double rounding = 1e-9;
-  const double limit = potdem_friction_mu(friction[pair]) * found.normal;
+  const double limit = potdem_friction_mu(friction[pair]) * found.pressing;
   svector[VISCOUS] = found.viscous;
   svector[FRICTION] = across;
   for (int k = 0; k < 3; k++) svector[FRICTION + 1 + k] = rubs.friction[k];

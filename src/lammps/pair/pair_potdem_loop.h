@@ -238,7 +238,7 @@ inline void PairPotdem<Law>::take(const ThreadShare &share, const Particles &all
     const bool to_both = all.newton || j < all.nlocal;
     if (to_both)
       for (int k = 0; k < 3; k++) all.f[j][k] -= push[k];
-    if (Batch::SPINS && batch.normal[l] > 0.0) take_torques(all, batch, i, j, to_both, l);
+    if (Batch::SPINS && batch.pressing[l] > 0.0) take_torques(all, batch, i, j, to_both, l);
     if (ledger) book(batch, i, j, l);
     if (EV) {
       const double del[3] = {batch.del[0][l], batch.del[1][l], batch.del[2][l]};
@@ -277,7 +277,7 @@ void PairPotdem<Law>::book(const Batch &batch, int i, int j, int l) const
     const double drag[3] = {viscous * del[0], viscous * del[1], viscous * del[2]};
     note(FixPotdemLedger::VISCOUS, i, j, drag);
   }
-  if (!Batch::SLIDE || !(batch.normal[l] > 0.0)) return;
+  if (!Batch::SLIDE || !(batch.pressing[l] > 0.0)) return;
   note(FixPotdemLedger::FRICTION, i, j, of(batch.friction).data());
   if (Batch::SPINS) note_torque(i, j, batch.ri[l], batch.rj[l], of(batch.turn).data());
   if (Batch::ROLL) note_torque(i, j, 1.0, -1.0, of(batch.rolling).data());

@@ -323,25 +323,25 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
       [this, i, r, ri] {
         return masses_of(i, r / ri);
       });
-  touch.pressed = {found.normal, found.elastic.stiffness, POTDEM::shear_ratio_of(wall.kernel, 0),
+  touch.pressed = {found.pressing, found.elastic.stiffness, POTDEM::shear_ratio_of(wall.kernel, 0),
                    ri, !update->setupflag};
   if (found.elastic.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
     suspect(i, hard_core > 0.0 ? 1.0 : r / ri, found.elastic.stiffness);
   double f[3];
   for (int k = 0; k < 3; k++) f[k] = found.normal * touch.n[k];
-  if (MOVE && ledger) note(i, touch, found.viscous);
+  if (MOVE && ledger) note(i, touch, found.normal, found.viscous);
   mine[0] += found.elastic.energy;
   add(i, touch, f);
   return true;
 }
 
 // the normal force in the ledger, `viscous` of it without a potential
-void FixPotdemWallRegion::note(int i, const Touch &touch, double viscous) const
+void FixPotdemWallRegion::note(int i, const Touch &touch, double normal, double viscous) const
 {
   const double *n = touch.n, along = MathExtra::dot3(n, touch.wall);
   ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
   ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
-  ledger->add_wall(touch.pressed.normal * along);
+  ledger->add_wall(normal * along);
 }
 
 // a particle too deep in the wall or, with a law that has no depth to lose, too stiff for the step

@@ -108,7 +108,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void turn(int i, const double *torque);
   FrictionKernel friction_kernel() const;
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
-  void note(int i, const Touch &, double viscous) const;
+  void note(int i, const Touch &, double normal, double viscous) const;
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
   void add(int i, const Touch &, const double *f);

@@ -82,14 +82,15 @@ BED_SERIES = {
     "potdem/hertz, η = 0.5 kg/s": {"eta": 0.5},
     "potdem/hertz, η auto, soft layer": {"layer": "layer 0.1 2"},
     "potdem/hertz, η auto, with the ledger": {"book": "yes"},
+    "potdem/hertz, mindlin": {"eta": "mindlin damping 0.1"},
     "gran/hertz/history": {"style": "history"},
     "granular, mindlin": {"style": "granular"},
 }
 
 BED_TEXT = """768 grains of 10 mm, friction 0.3, fall into a box and come to rest ([in.bed](../../tools/potdem/reports/cases/in.bed)), 0.4 s. All
 styles have the same Hertz contact with the same viscosity, rolling, and this package's walls. Reference: {reference}. Its friction
-is a spring that remembers the sliding, so it holds grains at rest; that of `potdem/hertz` resists sliding by a viscosity η and
-creeps: part of its error is that of the model. Walls are bare, but for *soft layer*."""
+is a spring that remembers the sliding, so it holds grains at rest, as does *mindlin* of `potdem/hertz`; with a viscosity η, its other
+friction, it creeps: part of that error is of the model. Walls are bare, but for *soft layer*."""
 
 
 def of_bed(run):
