@@ -14,6 +14,7 @@
 #include "lammps/output/potdem_stiffness.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -39,7 +40,7 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), monitor(nullptr),
-    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), mine(), total(), summed(false)
+    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), listed(-1), mine(), total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -240,33 +241,58 @@ void FixPotdemWallRegion::choose(const PotdemWallLaw<Law> &wall, const Rate &das
   }
 }
 
-// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+// all particles in the step of a neighbour list, then those near the wall
 template <bool SLIDE, bool MOVE, class Wall, class Rate>
 void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &dashpot)
 {
   const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
-    if (periodic && !domain->inside(x)) bring_back(x);
-    if (!surface.is_free(x))
-      error->one(FLERR,
-                 "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
-                 "{}) on step {}; use "
-                 "a smaller timestep, a stiffer wall, or start the particles inside the region",
-                 id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
-    touches.clear();
-    for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
-      if constexpr (SLIDE) {
-        touches.emplace_back();
-        if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back())) touches.pop_back();
-      } else {
-        Touch touch;
-        normal_force<MOVE>(i, face, wall, dashpot, touch);
-      }
-    }
-    if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
+  if (listed >= 0 && listed == neighbor->lastcall && neighbor->ago > 0) {
+    for (const int i : near) push<SLIDE, MOVE>(i, periodic, wall, dashpot);
+    return;
   }
+  for (int i = 0; i < atom->nlocal; i++) push<SLIDE, MOVE>(i, periodic, wall, dashpot);
+  list_near(wall);
+}
+
+// Before a centre has moved by half the skin there is another neighbour list; a whole skin is looked at. What cannot be told: walls
+// that move, radii that change, neighbour lists that do not look how far particles went, periodic images.
+template <class Wall> void FixPotdemWallRegion::list_near(const Wall &wall)
+{
+  listed = -1;
+  const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
+  if (periodic || !neighbor->dist_check || !atom->avec->comm_x_only || !surface.stands_still())
+    return;
+  near.clear();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (surface.is_near(atom->x[i], wall.reach(atom->radius[i]) + neighbor->skin))
+      near.push_back(i);
+  listed = neighbor->lastcall;
+}
+
+// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push(int i, bool periodic, const Wall &wall, const Rate &dashpot)
+{
+  if (!(atom->mask[i] & groupbit)) return;
+  double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+  if (periodic && !domain->inside(x)) bring_back(x);
+  if (!surface.is_free(x))
+    error->one(FLERR,
+               "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
+               "{}) on step {}; use "
+               "a smaller timestep, a stiffer wall, or start the particles inside the region",
+               id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+  touches.clear();
+  for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
+    if constexpr (SLIDE) {
+      touches.emplace_back();
+      if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back())) touches.pop_back();
+    } else {
+      Touch touch;
+      normal_force<MOVE>(i, face, wall, dashpot, touch);
+    }
+  }
+  if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
 }
 
 // between two neighbour lists a particle may be outside of a periodic box, though not by a period

@@ -85,6 +85,10 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   std::vector<Touch> touches;    // of one particle
   std::vector<int> keys;         // of their faces
 
+  // of a wall that stands still, between two neighbour lists: only these may touch it
+  std::vector<int> near;
+  bigint listed;    // step of the neighbour list that they belong to; -1: none, all may
+
   double mine[7], total[7];    // energy, force and torque of the particles on the wall
   bool summed;
 
@@ -96,9 +100,12 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void check_rotation();
 
   template <bool MOTION> void act(int vflag);
+  template <class Wall> void list_near(const Wall &);
   template <class Law, class Rate> void choose(const PotdemWallLaw<Law> &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push_all(const Wall &, const Rate &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push(int i, bool periodic, const Wall &, const Rate &);
   template <bool MOVE, class Wall, class Rate>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
   template <bool SPIN, class Tangential> void add_friction(int i);

@@ -55,6 +55,14 @@ template <class Action> static void for_each_part(Region *whole, Action action)
   for (int k = 0; k < whole->nregion; k++) for_each_part(whole->reglist[k], action);
 }
 
+// the parts of what a union leaves out are turned while it is asked, so it counts as moving
+static bool stands_still(Region *part)
+{
+  if (part->dynamic_check() || part->varshape) return false;
+  if (!part->reglist) return true;
+  return part->interior && std::all_of(part->reglist, part->reglist + part->nregion, stands_still);
+}
+
 /* ---------------------------------------------------------------------- */
 
 PotdemWallSurface::PotdemWallSurface(LAMMPS *lmp) :
@@ -117,6 +125,18 @@ void PotdemWallSurface::velocity(const Face &face, double *u) const
     double foot[3] = {face.foot[0], face.foot[1], face.foot[2]};
     part.region->velocity_contact_shape(u, foot);
   }
+}
+
+bool PotdemWallSurface::stands_still() const
+{
+  return ::stands_still(region);
+}
+
+bool PotdemWallSurface::is_near(const double *x, double reach) const
+{
+  return std::any_of(parts.begin(), parts.end(), [x, reach](const Part &part) {
+    return part.region->surface(x[0], x[1], x[2], part.search * reach) > 0;
+  });
 }
 
 void PotdemWallSurface::spin(const Face &face, double *w) const
