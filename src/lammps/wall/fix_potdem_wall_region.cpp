@@ -40,7 +40,8 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), monitor(nullptr),
-    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), listed(-1), mine(), total(), summed(false)
+    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), listed(-1), mine(), total(),
+    summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;

@@ -39,7 +39,8 @@ class PotdemWallSurface : protected Pointers {
     return region->reglist ? is_free_of_parts(x) : region->match(x[0], x[1], x[2]) != 0;
   }
   bool stands_still() const;    // neither moves nor changes its shape
-  bool is_near(const double *x, double reach) const;    // of one that stands still: may a part be as near?
+  bool is_near(const double *x,
+               double reach) const;    // of one that stands still: may a part be as near?
   // an empty list for most particles: quickly
   const std::vector<Face> &faces(const double *x, double reach)
   {
