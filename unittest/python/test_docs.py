@@ -65,17 +65,52 @@ def law_header(kind, style):
     return header
 
 
-def friction_words(laws):
-    """keywords of the laws of friction that go with these normal laws (their headers)"""
-    texts = {header.name: header.read_text() for header in (ROOT / "src" / "core" / "laws").glob("*.h")}
-    (rows,) = re.findall(r"#define TANGENTIAL_LAWS\(X\)((?:.*\\\n)*.*)", texts["law_list.h"])
-    words = set()
-    for law in re.findall(r"X\((\w+)\)", rows):
-        (text,) = [text for text in texts.values() if re.search(rf"^struct {law}\b[^;]*$", text, re.MULTILINE)]
-        if "needs_shear_ratio" not in text or any("shear_ratio" in header.read_text() for header in laws):
-            body = re.search(rf"^struct {law}\b[^;]*\n.*?^}};", text, re.MULTILINE | re.DOTALL).group()
-            words |= set(re.findall(r'(?:keyword = |option\(|or_word\()"(\w+)"', body))
-    return words
+HEADERS = {header.name: header.read_text() for header in (ROOT / "src" / "core" / "laws").glob("*.h")}
+
+
+def struct(law):
+    """the text of a law's struct"""
+    (found,) = [match.group() for match in (re.search(rf"^struct {law}\b[^;]*\n.*?^}};", text, re.MULTILINE | re.DOTALL)
+                                            for text in HEADERS.values()) if match]
+    return found
+
+
+def coefficients(text):
+    """rows of the table of a law: (kind, word, symbol, range, unit, what follows)"""
+    body = "".join(text.split("coefficients()")[1].split("};")[0].split("\n"))
+    return re.findall(r'(required|option|continued_by)\("(\w+)",\s*(?:"(\w+)",\s*)?&\w+::\w+,\s*(\w+\([^)]*\)),\s*"([^"]+)"\)'
+                      r'((?:\s*\.\w+\([^)]*\))*)', body)
+
+
+def laws_of(table):
+    (rows,) = re.findall(rf"#define {table}\(X\)((?:.*\\\n)*.*)", HEADERS["law_list.h"])
+    return re.findall(r"X\((\w+)\)", rows)
+
+
+def laws_beside(kind, name):
+    """the structs of the rate laws, the laws of friction and the resistance to rolling that a pair style or the wall takes"""
+    if (kind, name) == ("fix", "potdem/wall/region"):
+        normal = [header for header in (ROOT / "src" / "core" / "laws").glob("*.h")
+                  if re.search(r"contact_only = \w+, rate_dependent = \w+", header.read_text())]
+    elif kind == "pair":
+        normal = [law_header(kind, name)]
+    else:
+        return []
+    texts = [header.read_text() for header in normal]
+    found = [struct("RollingResistance")]
+    for law in laws_of("RATE_LAWS"):
+        (trait,) = re.findall(r"bool serves\(\) \{ return Law::(\w+); \}", struct(law))
+        if any(f"{trait} = true" in text for text in texts):
+            found.append(struct(law))
+    for law in laws_of("TANGENTIAL_LAWS"):
+        if "needs_shear_ratio" not in struct(law) or any("shear_ratio" in text for text in texts):
+            found.append(struct(law))
+    return found
+
+
+def words_beside(kind, name):
+    """their keywords"""
+    return {word for text in laws_beside(kind, name) for word in re.findall(r'(?:keyword = |option\(|setting\(|or_word\()"(\w+)"', text)}
 
 
 def registered_styles():
@@ -172,13 +207,12 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
     text = "".join(source.read_text() for source in sources)
     keywords = re.findall(r'(?:next_is|option|flag|setting|or_word)\("(\w+)"', text)
     keywords += ["length"] * ("FROM_MATERIAL_LENGTH" in text) + ["file"] * ("potdem_read_friction(" in text)
-    if "potdem_read_friction(" in text:
-        laws = [law_header("pair", name)] if kind == "pair" else [*(ROOT / "src" / "core" / "laws").glob("hertz*.h")]
-        keywords += friction_words(laws)
+    beside = words_beside(kind, name)
+    if kind == "fix":
+        beside -= {"attract"}    # a setting of pair_style
+    keywords += sorted(beside)
     if "CONTACT_LAWS(POTDEM_TRY)" in text:
         keywords += re.findall(r"X\((\w+), \w+\)", inputs.table_of_laws(ROOT, "pair"))
-    if "rate_dependent = true" in text:
-        keywords += ["viscous", "attract"]
     assert keywords or kind in ("compute", "command")
     page = page_of(kind, name).read_text(encoding="utf-8")
     syntax = section(page, "Syntax")
@@ -186,7 +220,7 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
 
 
 RANGES = {"positive()": "> 0", "nonnegative()": "≥ 0", "fraction()": "≥ 0, < 1", "poisson_ratio()": "> −1, ≤ 0.5",
-          "whole(MAX_PENETRATION)": "whole number, 1 to 64"}
+          "whole(MAX_PENETRATION)": "whole number, 1 to 64", "up_to_one()": "> 0, ≤ 1"}
 
 
 def allowed(words, bound):
@@ -198,22 +232,58 @@ def allowed(words, bound):
     return f"{text}, < {bound}" if bound else text
 
 
-@pytest.mark.parametrize("kind, name", [one for one in STYLES if one[0] in ("pair", "bond")])
-def test_page_has_the_units_and_ranges_of_the_table_of_the_law(kind, name):
+ABBREVIATED = {"gamma_over_r": "g"}
+
+
+def table_rows(page):
+    """rows of four cells, by the symbols in the first"""
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")]
+    return {symbol: cells for cells in rows if len(cells) == 4 for symbol in cells[0].split(", ")}
+
+
+def check_row(listed, row):
+    """unit and range; of a law that shares a symbol with another, such as the mu of rolling, the keyword is in the meaning"""
+    given, word, symbol, words, unit, more = row
+    bound = re.findall(r"below\(&\w+::(\w+)\)", more)
+    found = listed[word if given == "required" else ABBREVIATED.get(symbol, symbol)]
+    assert found[2].startswith("–" if unit == "1" else unit), found
+    assert found[3].startswith(allowed(words, bound[0] if bound else "")), found
+    if word in ("rolling", "twisting"):
+        assert f"*{word}*" in found[1], found
+
+
+@pytest.mark.parametrize("kind, name", [one for one in STYLES if one[0] in ("pair", "bond") or "wall" in one[1]])
+def test_page_has_the_units_and_ranges_of_the_tables_of_its_laws(kind, name):
     """required coefficients by their names, those of options by the symbol after the keyword"""
-    table = "".join(law_header(kind, name).read_text().split("coefficients()")[1].split("};")[0].split("\n"))
-    rows = re.findall(r'(required|option)\("(\w+)",\s*(?:"(\w+)",\s*)?&\w+::\w+,\s*(\w+\([^)]*\)),\s*"([^"]+)"\)((?:\s*\.\w+\([^)]*\))*)', table)
+    own = law_header(kind, name).read_text() if kind in ("pair", "bond") else HEADERS["hertz_wall.h"]
+    listed = table_rows(page_of(kind, name).read_text(encoding="utf-8"))
+    rows = [row for text in [own, *laws_beside(kind, name)] for row in coefficients(text)]
     assert rows
-    page = page_of(kind, name).read_text(encoding="utf-8")
-    listed = {cells[0]: cells for cells in ([cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines()
-                                           if line.startswith("| ")) if len(cells) == 4}
-    for given, word, symbol, words, unit, more in rows:
-        if "FROM_MATERIAL_LENGTH" in more:
-            continue    # a stiffness, whose row says what may stand for it
-        bound = re.findall(r"below\(&\w+::(\w+)\)", more)
-        found = listed[symbol if given == "option" else word]
-        assert found[2].startswith("–" if unit == "1" else unit), found
-        assert found[3].startswith(allowed(words, bound[0] if bound else "")), found
+    if kind != "bond":
+        words = {row[1] for row in rows}
+        assert {"rolling", "twisting", "mu"} <= words
+        assert ("restitution" in words) == (name not in ("potdem/granular", "potdem/lj"))
+    for row in rows:
+        if "FROM_MATERIAL_LENGTH" not in row[5]:    # a stiffness, whose row says what may stand for it
+            check_row(listed, row)
+
+
+@pytest.mark.parametrize("kind, name", [one for one in STYLES if one[0] == "pair" or "wall" in one[1]])
+def test_every_keyword_of_the_laws_has_an_example(kind, name):
+    examples_of_page = section(page_of(kind, name).read_text(encoding="utf-8"), "Examples")
+    missing = [word for word in words_beside(kind, name) - {""} if not re.search(rf"\b{word}\b", examples_of_page)]
+    assert missing == ([] if kind == "pair" else ["attract"])
+
+
+@pytest.mark.parametrize("name", [name for kind, name in STYLES if kind == "pair"])
+def test_page_says_what_fix_adapt_can_change(name):
+    """all but flags and settings, whole numbers, and the values that follow a keyword's first"""
+    text = page_of("pair", name).read_text(encoding="utf-8")
+    (said,) = re.findall(rf"`fix adapt` with `pair {name}` can change (.*?)\.\s", text, re.DOTALL)
+    for law in laws_beside("pair", name):
+        for given, word, *_ in coefficients(law):
+            if given != "continued_by":
+                assert f"*{word}*" in said, word
 
 
 @pytest.mark.parametrize("kind, name, example", examples())
