@@ -328,3 +328,41 @@ def test_friction_is_known_by_its_keyword_and_range(tangential_law, run_lammps):
                expect_error="k = -1 is out of range, it must be > 0")
     other = ROUGH + f"pair_coeff 2 2 {K} 0.5 friction {MU} auto\n"
     run_lammps(two_particles(tangential_law, other) + "run 0\n", expect_error="different laws of friction")
+
+
+# --- a rate law: a linear dashpot (unittest/walk-through/rate_law.patch) --------------------------------------------------------
+
+rate_law = plugin_of("rate_law")
+DASHPOT, APPROACH = 30.0, 0.2
+SHOW_RATE = "compute p all pair/local p3\ncompute viscous all reduce sum c_p inputs local\ncompute step all potdem/timestep\n" \
+            "thermo_style custom step c_viscous c_step\nthermo_modify format float %.17g\nrun 0\n" + \
+            scripts.result("fy[1]", "c_viscous", "c_step")
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_rate_law_pushes_is_mixed_restarted_and_adapted(rate_law, run_lammps, nprocs):
+    """beside the truss law, c 1 and 3 times DASHPOT: the mean is 2. The critical step is that of two equal masses on a spring and a
+    dashpot"""
+    pair = "pair_style potdem/truss\n" + "".join(f"pair_coeff {k} {k} {K} 0.5 dashpot {c * DASHPOT}\n" for k, c in ((1, 1), (2, 3)))
+    script = two_particles(rate_law, pair) + f"comm_modify vel yes\nset atom 1 vy {APPROACH}\nfix move all nve\n" + SHOW_RATE
+    script += f"write_restart half.restart\nclear\nplugin load {rate_law}\nprocessors 1 * 1\nread_restart half.restart\n"
+    script += "comm_modify vel yes\nfix move all nve\n" + SHOW_RATE
+    script += f"variable c equal {3 * DASHPOT}\nfix thicker all adapt 1 pair potdem/truss dashpot 1 1 v_c\nrun 0\n"
+    script += scripts.result("fy[1]", "c_viscous", "c_step")
+    c = np.array([2.0, 2.0, 3.0]) * DASHPOT
+    stiffness = K * SECTION * 0.9
+    frequency = np.sqrt(2.0 * stiffness / MASS)
+    damped = c / MASS / frequency
+    expected = np.column_stack([-NORMAL - c * APPROACH, c * APPROACH, 2.0 / frequency * (np.sqrt(1.0 + damped**2) - damped)])
+    assert scripts.results(run_lammps(script, nprocs=nprocs).stdout) == pytest.approx(expected, rel=1e-11)
+
+
+def test_rate_law_is_a_walls_too_and_checks_its_coefficient(rate_law, run_lammps):
+    """and it is for the laws it serves"""
+    script = two_particles(rate_law, "pair_style zero 1.2\npair_coeff * *\n") + f"region floor plane 0 -0.9 0 0 1 0\nset atom 1 vy {-APPROACH}\n"
+    wall = f"fix floor all potdem/wall/region floor law truss {K} 0.5 dashpot {DASHPOT}\n"
+    (found,) = scripts.results(run_lammps(script + wall + "run 0\n" + scripts.result("fy[1]")).stdout)
+    push = K * 0.5 * np.pi / 4 * 0.5**2 * 0.5 * (1.0 - 0.9**2)
+    assert found == pytest.approx([push + DASHPOT * APPROACH], rel=1e-11)
+    run_lammps(script + replaced(wall, f"dashpot {DASHPOT}", "dashpot -1"), expect_error="dashpot c = -1 is out of range")
+    run_lammps(script + replaced(wall, f"truss {K} 0.5", "granular 100 4 0.3"), expect_error="unknown keyword 'dashpot'")
