@@ -9,7 +9,6 @@
 #include "core/contact/contact.h"
 #include "core/laws/hertz_wall.h"
 #include "core/laws/law_list.h"
-#include "core/laws/viscous.h"
 #include "core/stability/critical_step.h"
 #include "core/stability/turning_point.h"
 
@@ -24,7 +23,7 @@ using namespace POTDEM;
 
 namespace {
 
-constexpr int WIDTH = 16;    // numbers of one contact
+constexpr int WIDTH = 24;    // numbers of one contact, at most
 
 struct Motion {
   ContactMotion at;
@@ -32,7 +31,10 @@ struct Motion {
 };
 
 struct Masses {
-  POTDEM_FUNCTION ContactMasses operator()() const { return {0.25, 1.0, 1e-4, 1e-4}; }
+  POTDEM_FUNCTION ContactMasses operator()() const
+  {
+    return {0.25, 1.0, 1e-4, 1e-4, 2.0 / 7.0, 0.8, 0.625};
+  }
 };
 
 // a contact at the distance r, with forces, spring and turning point
@@ -41,12 +43,16 @@ POTDEM_FUNCTION void contact(const Kernel &kernel, double r, const Geometry &geo
                              const Rate &rate, const Tangential &rough, double *out)
 {
   double state[Tangential::STATE + 1] = {};
-  const Motion motion{{{0.6 * r, 0.0, 0.8 * r}, r, {-0.1, 0.2, 0.05}, {0.3, -0.2, 0.1}}};
+  const Motion motion{{{0.6 * r, 0.0, 0.8 * r},
+                       r,
+                       {-0.1, 0.2, 0.05},
+                       {0.3, -0.2, 0.1},
+                       {0.5, 0.7, -0.4},
+                       {0.2, 0.1, 0.6}}};
   const double n[3] = {0.6, 0.0, 0.8};
   const auto forces =
       contact_forces<true>(kernel, r, geometry, 1.0, rate, rough, state, true, motion, Masses());
-  const auto spring =
-      contact_spring(kernel, r, geometry, 1.0, rate, rough, Masses()(), 2.0 / 7.0, n);
+  const auto spring = contact_spring(kernel, r, geometry, 1.0, rate, rough, Masses()(), n);
   const auto law = [&](double distance) {
     return kernel.evaluate(distance, geometry);
   };
@@ -56,38 +62,41 @@ POTDEM_FUNCTION void contact(const Kernel &kernel, double r, const Geometry &geo
       forces.elastic.stiffness,
       forces.normal,
       forces.viscous,
-      forces.friction[0],
-      forces.friction[1],
-      forces.friction[2],
+      forces.surface.friction[0],
+      forces.surface.friction[1],
+      forces.surface.friction[2],
+      forces.surface.torque[0],
+      forces.surface.torque[1],
+      forces.surface.torque[2],
       spring.along,
       spring.across,
       spring.viscosity,
       spring.friction,
       closest_approach(r, -0.5, 1.0, geometry.contact, kernel.hard_core(geometry), 1e-3, law),
       critical_step(spring.along, spring.viscosity),
-      state[0]};
+      state[0],
+      state[Tangential::STATE > 4 ? Tangential::STATE - 2 : 0]};
+  static_assert(sizeof(found) <= WIDTH * sizeof(double));
   for (int k = 0; k < static_cast<int>(sizeof(found) / sizeof(double)); k++) out[k] = found[k];
 }
 
-template <class Law, class Tangential>
-POTDEM_FUNCTION void contacts(const typename Law::Kernel &kernel, const Law &,
+template <class Law, class Rate, class Tangential>
+POTDEM_FUNCTION void contacts(const typename Law::Kernel &kernel, const Rate &rate,
                               const Tangential &rough, int k, double *out)
 {
   const double r = 1.0 - 1e-3 * (k + 1);
   if constexpr (std::is_same_v<Law, HertzWall>)
-    contact(kernel, r, WallGeometry{1.0, 1.1}, Viscous{1e-3, 0.0}, rough, out);
-  else if constexpr (Law::rate_dependent)
-    contact(kernel, r, ContactGeometry{0.4, 0.6, 1.0}, Viscous{1e-3, 0.0}, rough, out);
+    contact(kernel, r, WallGeometry{1.0, 1.1}, rate, rough, out);
   else
-    contact(kernel, r, ContactGeometry{0.4, 0.6, 1.0}, Elastic(), rough, out);
+    contact(kernel, r, ContactGeometry{0.4, 0.6, 1.0}, rate, rough, out);
 }
 
-template <class Law, class Tangential>
-__global__ void all_contacts(typename Law::Kernel kernel, Law law, Tangential rough, int n,
+template <class Law, class Rate, class Tangential>
+__global__ void all_contacts(typename Law::Kernel kernel, Rate rate, Tangential rough, int n,
                              double *out)
 {
   const int k = blockIdx.x * blockDim.x + threadIdx.x;
-  if (k < n) contacts(kernel, law, rough, k, out + WIDTH * k);
+  if (k < n) contacts<Law>(kernel, rate, rough, k, out + WIDTH * k);
 }
 
 template <class Law>
@@ -139,7 +148,7 @@ void compare(const char *name, const Launch &launch, const Host &host)
     for (int k = 0; k < N && scale > 0.0; k++)
       most = std::fmax(most, std::fabs(device[WIDTH * k + c] - here[WIDTH * k + c]) / scale);
   }
-  std::printf("%-40s %2d columns, largest difference %.2e\n", name, filled, most);
+  std::printf("%-56s %2d columns, largest difference %.2e\n", name, filled, most);
   largest = std::fmax(largest, most);
 }
 
@@ -164,17 +173,17 @@ template <class Kernel> Kernel for_device(Kernel kernel, long)
   return kernel;
 }
 
-template <class Law, class Tangential>
-void compare_contact(const char *name, Law law, Tangential rough)
+template <class Law, class Rate, class Tangential>
+void compare_contact(const std::string &name, Law law, Rate rate, Tangential rough)
 {
   const auto kernel = law.kernel(false), there = for_device(kernel, 0);
   compare(
-      name,
+      name.c_str(),
       [&](double *out) {
-        all_contacts<Law, Tangential><<<1, 256>>>(there, law, rough, N, out);
+        all_contacts<Law><<<1, 256>>>(there, rate, rough, N, out);
       },
       [&](double *out) {
-        for (int k = 0; k < N; k++) contacts(kernel, law, rough, k, out + WIDTH * k);
+        for (int k = 0; k < N; k++) contacts<Law>(kernel, rate, rough, k, out + WIDTH * k);
       });
 }
 
@@ -200,6 +209,7 @@ template <class Law> Law some_law()
     if (one.range.bounded()) value = 0.5 * (one.range.low + one.range.high);
     if (one.range.whole) value = 2.0;
     if (std::strcmp(one.unit, "1") != 0 && std::strcmp(one.unit, "length") != 0) value = 1e4;
+    if (std::strcmp(one.unit, "time") == 0) value = 1e-3;
     if (one.kind == CoefficientTraits::FLAG || one.kind == CoefficientTraits::SETTING) value = 0.0;
     law.*one.value = value;
   }
@@ -216,14 +226,29 @@ template <class Law> Law completed(Law law, long)
   return law;
 }
 
-template <class Law> void with_every_friction(const char *name)
+template <class Law, class Rate>
+void with_every_friction(const std::string &name, Law law, Rate rate)
+{
+  compare_contact(name, law, rate, Frictionless());
+#define POTDEM_WITH(Tangential)                                               \
+  {                                                                           \
+    const auto rough = completed(some_law<Tangential>(), 0);                  \
+    compare_contact(name + ", " #Tangential, law, rate, rough);               \
+    compare_contact(name + ", " #Tangential ", rolls", law, rate,             \
+                    Rolls<Tangential>{rough, some_law<RollingResistance>()}); \
+  }
+  TANGENTIAL_LAWS(POTDEM_WITH)
+#undef POTDEM_WITH
+}
+
+template <class Law> void with_every_rate(const std::string &name)
 {
   const auto law = completed(some_law<Law>(), 0);
-  compare_contact(name, law, Frictionless());
-#define POTDEM_WITH(Tangential)                                        \
-  compare_contact((std::string(name) + ", " #Tangential).c_str(), law, \
-                  completed(some_law<Tangential>(), 0));
-  TANGENTIAL_LAWS(POTDEM_WITH)
+  with_every_friction(name, law, Elastic());
+#define POTDEM_WITH(Rate)            \
+  if constexpr (Rate::serves<Law>()) \
+    with_every_friction(name + ", " #Rate, law, completed(some_law<Rate>(), 0));
+  RATE_LAWS(POTDEM_WITH)
 #undef POTDEM_WITH
 }
 
@@ -231,9 +256,9 @@ template <class Law> void with_every_friction(const char *name)
 
 int main()
 {
-#define POTDEM_CONTACT(name, Law) with_every_friction<Law>(#name);
+#define POTDEM_CONTACT(name, Law) with_every_rate<Law>(#name);
   CONTACT_LAWS(POTDEM_CONTACT)
-  with_every_friction<HertzWall>("hertz wall");
+  with_every_rate<HertzWall>("hertz wall");
 #define POTDEM_BOND(name, Law) compare_bond(#name " bond", completed(some_law<Law>(), 0));
   BOND_LAWS(POTDEM_BOND)
   std::printf("largest %.3e\n", largest);
