@@ -314,8 +314,9 @@ void FixPotdemWallRegion::find_motion(int i, const PotdemWallSurface::Face &face
   MathExtra::copy3(face.n, motion.del);
   surface.velocity(face, touch.wall);
   MathExtra::sub3(atom->v[i], touch.wall, motion.v);
+  if (memory) surface.velocity(face, touch.wall_between, -0.5 * update->dt);
+  if (memory || rotation) surface.spin(face, touch.wall_spin);
   if (!rotation) return;
-  surface.spin(face, touch.wall_spin);
   MathExtra::copy3(atom->omega[i], motion.spin);
   MathExtra::scale3(face.r, motion.spin);
   MathExtra::sub3(atom->omega[i], touch.wall_spin, motion.spin_between);
@@ -467,17 +468,35 @@ void FixPotdemWallRegion::follow_faces(int i)
   memory->follow(i, keys);
 }
 
+// for what adds up the way of the surfaces. The particle's velocity is that between this step and the one before, and so must the
+// wall's be: on a turntable a grain at rest would else seem to slide outwards. What does not spin turns with the wall
+template <bool SPIN>
+POTDEM::ContactMotion FixPotdemWallRegion::motion_over_step(int i, const Touch &touch) const
+{
+  auto motion = touch.motion;
+  MathExtra::sub3(atom->v[i], touch.wall_between, motion.v);
+  if (!SPIN) {
+    MathExtra::zero3(motion.spin);
+    MathExtra::copy3(touch.wall_spin, motion.spin_of_both);
+  }
+  return motion;
+}
+
 // what a face does by itself; friction 'auto' waits for the forces of all
 template <bool SPIN, class Tangential>
 void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state, Touch &touch)
 {
-  const auto motion = [&touch]() -> const POTDEM::ContactMotion & {
+  constexpr bool REMEMBERS = Tangential::STATE > 0;
+  const auto motion = [this, i, &touch] {
+    if constexpr (REMEMBERS) return motion_over_step<SPIN>(i, touch);
     return touch.motion;
   };
   const auto masses = [this, i, &touch] {
     return masses_of(i, touch.r / atom->radius[i]);
   };
-  POTDEM::surface_forces<SPIN>(rough, touch.pressed, state, touch.surface, motion, masses);
+  // springs turn about the normal without spin, too
+  POTDEM::surface_forces<SPIN || REMEMBERS>(rough, touch.pressed, state, touch.surface, motion,
+                                            masses);
   if constexpr (POTDEM::is_rolling<Tangential>) {
     turn(i, touch.surface.torque);
     if (!ledger) return;

@@ -61,6 +61,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
     POTDEM::Pressed pressed;
     POTDEM::SurfaceForces surface;
     double wall[3], wall_spin[3];    // velocity of the surface at the foot, and how fast it turns
+    double wall_between[3];          // its velocity between this step and the one before
     int key;                         // of the face
 
     Touch() {}    // only what the kernel needs is set
@@ -112,6 +113,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   template <bool SPIN, class Tangential>
   void rub_face(int i, const Tangential &, double *state, Touch &);
   void follow_faces(int i);
+  template <bool SPIN> POTDEM::ContactMotion motion_over_step(int i, const Touch &) const;
   void turn(int i, const double *torque);
   FrictionKernel friction_kernel() const;
   template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);

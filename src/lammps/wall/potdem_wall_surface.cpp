@@ -109,7 +109,7 @@ void PotdemWallSurface::follow()
   }
 }
 
-void PotdemWallSurface::velocity(const Face &face, double *u) const
+void PotdemWallSurface::velocity(const Face &face, double *u, double when) const
 {
   u[0] = u[1] = u[2] = 0.0;
   if (!moving) return;
@@ -119,6 +119,10 @@ void PotdemWallSurface::velocity(const Face &face, double *u) const
     double arm[3], turn[3];
     MathExtra::sub3(face.foot, part.region->rpoint, arm);
     MathExtra::cross3(part.region->omega, arm, turn);
+    if (when != 0.0) {
+      MathExtra::scaleadd3(when * part.axis_scale, turn, arm, arm);
+      MathExtra::cross3(part.region->omega, arm, turn);
+    }
     MathExtra::scaleadd3(part.axis_scale, turn, u, u);
   }
   if (face.grows) {

@@ -51,7 +51,8 @@ class PotdemWallSurface : protected Pointers {
       add_faces(0, n, x, reach, found);
     return found;
   }
-  void velocity(const Face &, double *u) const;
+  // of the place that is at the foot now, at a time from now
+  void velocity(const Face &, double *u, double when = 0.0) const;
   void spin(const Face &, double *w) const;    // angular velocity
 
  private:
