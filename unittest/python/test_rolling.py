@@ -148,3 +148,24 @@ def test_rolling_springs_count_for_the_critical_step(run_lammps):
 def test_bad_input(run_lammps, words, message):
     script = scripts.box(4) + scripts.particles([(0, 0, 0, 1)])
     run_lammps(script + f"pair_style potdem/hertz\npair_coeff * * 1e7 0.3 {words}\n", expect_error=message)
+
+
+@pytest.mark.parametrize("friction", ["", "friction 0 spring 0.8 ", "friction 0.3 0.1 "])
+@pytest.mark.parametrize("word, axis", [("rolling", 2), ("twisting", 3)])
+def test_it_is_adapted_from_nothing_to_nothing_and_back(run_lammps, word, axis, friction):
+    """the contact has a memory with mu = 0, too, and keeps ratio and xi. By hand: mu R F, R = r1 r2/(r1 + r2), the truss law's F"""
+    spin = {2: "0 900 0", 3: "0 0 900"}[axis]
+    script = scripts.box(4, newton="off") + scripts.particles([(0, 0, 0, 1), (0, 0, 0.95, 1)], density=3.0) + "comm_modify vel yes\n"
+    script += f"set atom 1 omega {spin}\npair_style potdem/truss rotation yes\npair_coeff * * 1e5 0.5 {friction}{word} 0 0.5 0\n"
+    script += "timestep 1e-6\nfix still all move linear 0 0 0\nvariable mu equal 0.1*(step>100)*(step<300)+0.2*(step>=400)\n"
+    script += f"fix grow all adapt 1 pair potdem/truss {word} * * v_mu\ngroup first id 1\ncompute t all property/atom tqx tqy tqz\n"
+    script += f"compute one first reduce sum c_t[{axis}]\nthermo_style custom step c_one\nthermo_modify format float %.17g\n"
+    for steps in (200, 150, 150):
+        script += f"run {steps}\n" + scripts.result("c_one")
+    found = scripts.results(run_lammps(script).stdout)[:, 0]
+    force = 1e5 * 0.5 * np.pi / 4 * 0.5 * (1.0 - 0.95**2)
+    if friction != "friction 0.3 0.1 ":    # whose friction turns it, too
+        assert found == pytest.approx([-0.1 * 0.25 * force, 0.0, -0.2 * 0.25 * force], rel=1e-9)
+    else:
+        assert found[0] - found[1] == pytest.approx(-0.1 * 0.25 * force, rel=1e-2)
+        assert found[2] - found[1] == pytest.approx(-0.2 * 0.25 * force, rel=1e-2)

@@ -47,6 +47,7 @@ struct RollingResistance {
   }
 
   POTDEM_FUNCTION bool active() const { return mu > 0.0 || twist_mu > 0.0; }
+  bool given() const { return ratio > 0.0 || twist_ratio > 0.0; }    // with mu = 0, too
 
   // the material that rolls more easily decides; springs in series
   static RollingResistance mixed(const RollingResistance &a, const RollingResistance &b)

@@ -100,12 +100,20 @@ bool LAMMPS_NS::potdem_friction_acts(const PotdemFriction &friction)
   return potdem_friction_mu(friction) > 0.0 || friction.resistance.active();
 }
 
+static int sliding_state(const PotdemFriction &friction)
+{
+  return std::visit(
+      [](const auto &law) {
+        return law.STATE;
+      },
+      friction.law);
+}
+
 // with mu = 0 too: fix adapt may raise it
 int LAMMPS_NS::potdem_friction_state(const PotdemFriction &friction)
 {
-  return potdem_visit(friction, [](const auto &law) {
-    return law.STATE;
-  });
+  return sliding_state(friction) +
+      (friction.resistance.given() ? POTDEM::RollingResistance::STATE : 0);
 }
 
 template <class Law>
@@ -152,7 +160,7 @@ bool LAMMPS_NS::potdem_mix_friction(const PotdemFriction &a, const PotdemFrictio
 void LAMMPS_NS::potdem_align_friction(std::vector<PotdemFriction> &all)
 {
   const auto rank = [](const PotdemFriction &one) {
-    return std::pair(potdem_friction_mu(one) > 0.0, potdem_friction_state(one));
+    return std::pair(potdem_friction_mu(one) > 0.0, sliding_state(one));
   };
   const auto first =
       std::max_element(all.begin(), all.end(), [&rank](const auto &a, const auto &b) {

@@ -94,14 +94,25 @@ bool LAMMPS_NS::potdem_read_setting(PotdemInput &input, const PotdemLawRows &row
 
 /* ---------------------------------------------------------------------- */
 
+// an option was given if it is not 0; or 0 by its value, which further ones follow
+static bool is_given(const PotdemLawRows &rows, std::size_t k)
+{
+  if (*rows[k].value != 0.0) return true;
+  if (!rows[k].range.has(0.0)) return false;
+  while (++k < rows.size() && rows[k].kind == Row::CONTINUED)
+    if (*rows[k].value != 0.0) return true;
+  return false;
+}
+
 std::string LAMMPS_NS::potdem_text(const PotdemLawRows &rows)
 {
   std::string text;
   bool given = false;
-  for (const auto &row : rows) {
+  for (std::size_t k = 0; k < rows.size(); k++) {
+    const auto &row = rows[k];
     const bool by_word = row.word && *row.word_given != 0.0;
     const auto number = by_word ? std::string(row.word) : fmt::format("{:.17g}", *row.value);
-    if (row.kind == Row::OPTION) given = *row.value != 0.0;
+    if (row.kind == Row::OPTION) given = is_given(rows, k);
     std::string words;
     if (row.kind == Row::REQUIRED || (row.kind == Row::CONTINUED && given))
       words = number;
