@@ -79,7 +79,7 @@ BELOW = {
     "core/stability": {"core/laws"},
     "core/contact": {"core/laws", "core/stability"},
     "core/areas": {"core/laws"},
-    "lammps/glue": {"core/laws", "core/stability"},
+    "lammps/glue": {"core/laws", "core/stability", "core/contact"},
     "lammps/output": {"core/laws", "core/stability", "lammps/glue"},
     "lammps/pair": {"core/laws", "core/stability", "core/contact", "lammps/glue", "lammps/output"},
     "lammps/bond": {"core/laws", "core/stability", "core/areas", "lammps/glue", "lammps/output"},
