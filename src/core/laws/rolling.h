@@ -97,11 +97,11 @@ template <class Tangential> struct Rolls : public Tangential {
   static constexpr int SLIDING_STATE = Tangential::STATE,
                        STATE = SLIDING_STATE + RollingResistance::STATE;
 
-  POTDEM_FUNCTION static void turn(double *state)
+  POTDEM_FUNCTION void turn(double *state) const
   {
     if constexpr (SLIDING_STATE > 0) Tangential::turn(state);
   }
-  POTDEM_FUNCTION static double energy(const double *state)
+  POTDEM_FUNCTION double energy(const double *state) const
   {
     double found = RollingResistance::energy(state + SLIDING_STATE);
     if constexpr (SLIDING_STATE > 0) found += Tangential::energy(state);
