@@ -192,7 +192,7 @@ def test_nor_does_rolling_feel_it(run_lammps):
     """torque -R^2 k_r w t of a sphere that turns by a little while it is carried over"""
     words, spin = "0 spring 0.8 rolling 50 0.1 0", 0.05
     script = dragged("intersect", -0.1, words, "yes", f"set atom 1 omega 0 {spin} 0\n")
-    script += "compute t all property/atom tqx tqy tqz\nthermo_style custom step c_t[*]\n".replace("c_t[*]", "f_wall")
+    script += "compute t all property/atom tqx tqy tqz\nthermo_style custom step f_wall\n"
     script += ("run 100\n" + scripts.result("C_t[1][2]")) * 20
     found = scripts.results(run_lammps(script).stdout)[:, 0]
     k = 0.1 * E * SECTION * HEIGHT / RADIUS**2
