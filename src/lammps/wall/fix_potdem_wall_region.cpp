@@ -469,7 +469,7 @@ void FixPotdemWallRegion::follow_faces(int i)
 }
 
 // for what adds up the way of the surfaces. The particle's velocity is that between this step and the one before, and so must the
-// wall's be: on a turntable a grain at rest would else seem to slide outwards. What does not spin turns with the wall
+// wall's be: on a turntable a grain at rest would else seem to slide. What does not spin turns with the wall
 template <bool SPIN>
 POTDEM::ContactMotion FixPotdemWallRegion::motion_over_step(int i, const Touch &touch) const
 {
