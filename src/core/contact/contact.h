@@ -122,24 +122,29 @@ POTDEM_FUNCTION inline void surface_forces(const Tangential &tangential, const P
     for (int k = 0; k < SLIDING_STATE; k++) state[k] = 0.0;
 }
 
-// force by which a cohesive law pulls two that touch; 0 of the others
+// what presses two that touch together, and the force by which a cohesive law pulls them; of the others all of it, and 0
+struct Pressing {
+  Evaluation elastic;
+  double pull;
+};
 template <class Kernel, class Geometry>
-POTDEM_FUNCTION inline auto pull_of(const Kernel &kernel, const Geometry &geometry, int)
-    -> decltype(kernel.pull(geometry))
+POTDEM_FUNCTION inline auto pressing_of(const Kernel &kernel, double r, const Geometry &geometry,
+                                        const Evaluation &, int)
+    -> decltype(Pressing{kernel.pressing(r, geometry), kernel.pull(geometry)})
 {
-  return kernel.pull(geometry);
+  return {kernel.pressing(r, geometry), kernel.pull(geometry)};
 }
 template <class Kernel, class Geometry>
-POTDEM_FUNCTION inline double pull_of(const Kernel &, const Geometry &, long)
+POTDEM_FUNCTION inline Pressing pressing_of(const Kernel &, double, const Geometry &,
+                                            const Evaluation &elastic, long)
 {
-  return 0.0;
+  return {elastic, 0.0};
 }
 
 POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
-                                         double weight, const ContactMasses &masses, double pull)
+                                         double weight, const ContactMasses &masses)
 {
-  return {elastic.force + pull, elastic.energy + pull * overlap, overlap, rate,
-          masses.along_normal() / weight};
+  return {elastic.force, elastic.energy, overlap, rate, masses.along_normal() / weight};
 }
 
 // motion and masses as above. state: what the tangential law remembers, or null
@@ -152,17 +157,17 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
 {
   ContactForces found{
       kernel.evaluate(r, geometry), 0.0, 0.0, 0.0, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
-  const double pull = r < geometry.contact ? pull_of(kernel, geometry, 0) : 0.0;
-  double normal = found.elastic.force;
+  const auto pressing = pressing_of(kernel, r, geometry, found.elastic, 0);
+  double pushed = pressing.elastic.force, normal = found.elastic.force;
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact) {
-      normal = rate_law.total(approach(found.elastic, geometry.contact - r,
-                                       rate_of_distance(motion()), weight, masses(), pull)) -
-          pull;
-      found.viscous = weight * (normal - found.elastic.force);
+      pushed = rate_law.total(approach(pressing.elastic, geometry.contact - r,
+                                       rate_of_distance(motion()), weight, masses()));
+      normal = pushed - pressing.pull;
+      found.viscous = weight * (pushed - pressing.elastic.force);
     }
   found.normal = weight * normal;
-  found.pressing = weight * (normal + pull);
+  found.pressing = weight * pushed;
   if constexpr (!std::is_same_v<Tangential, Frictionless>) {
     const Pressed pressed{found.pressing, weight * found.elastic.stiffness,
                           shear_ratio_of(kernel, 0), geometry.effective_radius(), advance};
@@ -210,7 +215,7 @@ POTDEM_FUNCTION inline Spring contact_spring(const Kernel &kernel, double r,
                                              const ContactMasses &masses, const double *n)
 {
   const auto law = kernel.evaluate(r, geometry);
-  const double pull = r < geometry.contact ? pull_of(kernel, geometry, 0) : 0.0;
+  const auto pressing = pressing_of(kernel, r, geometry, law, 0);
   Spring spring{{n[0], n[1], n[2]},
                 weight * law.stiffness,
                 Geometry::flat ? 0.0 : -weight * law.force / r,
@@ -219,12 +224,12 @@ POTDEM_FUNCTION inline Spring contact_spring(const Kernel &kernel, double r,
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact)
       spring.viscosity = weight *
-          rate_law.viscosity(approach(law, geometry.contact - r, 0.0, weight, masses, pull));
+          rate_law.viscosity(approach(pressing.elastic, geometry.contact - r, 0.0, weight, masses));
   if constexpr (!std::is_same_v<Tangential, Frictionless>)
-    if (law.force + pull > 0.0)
+    if (pressing.elastic.force > 0.0)
       add_surface(tangential,
-                  {weight * (law.force + pull), weight * law.stiffness, shear_ratio_of(kernel, 0),
-                   0.0, false},
+                  {weight * pressing.elastic.force, weight * law.stiffness,
+                   shear_ratio_of(kernel, 0), 0.0, false},
                   masses, spring);
   return spring;
 }

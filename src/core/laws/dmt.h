@@ -71,9 +71,15 @@ struct Dmt {
     }
 
     template <class Geometry>
+    POTDEM_FUNCTION Evaluation pressing(double r, const Geometry &at) const
+    {
+      return elastic.evaluate(r, at);
+    }
+
+    template <class Geometry>
     POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
-      const auto hertz = elastic.evaluate(r, at);
+      const auto hertz = pressing(r, at);
       const double w = at.contact - r, P = w > 0.0 ? pull(at) : 0.0;
       return {hertz.energy - P * w, hertz.force - P, hertz.stiffness};
     }
