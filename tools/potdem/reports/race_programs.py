@@ -94,7 +94,7 @@ def yade(case, packing, cores, folder):
 
 def missing_yade():
     """why YADE does not take part, or nothing"""
-    return "" if shutil.which("yade") else f"YADE is not installed (`apt-get install {YADE_PACKAGE}`): its column is empty."
+    return "" if shutil.which("yade") else f"YADE is not installed (`apt-get install {YADE_PACKAGE}`): its rows are empty."
 
 
 PROGRAMS = {"POTDEM": lammps("potdem"), "LAMMPS granular": lammps("granular"), "YADE": yade}
