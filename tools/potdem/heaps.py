@@ -10,8 +10,8 @@ LEFT_OUT = 3.0    # mean diameters at the foot and at the top of a slope that ar
 
 
 def surface(frame, across, cell, long):
-    """(x, height): the top of the grains in cells of this size, the median of those that lie side by side. frame: a dump of grains
-    between x = 0 and `long` that is periodic in y, with the period `across`"""
+    """(x, height): the top of the grains in cells of this size, the median of those that lie side by side. frame: a dump of
+    grains between x = 0 and `long` that is periodic in y, with the period `across`"""
     row = np.floor(frame["x"] / cell).astype(int)
     rows, columns = int(long / cell + 0.5), max(1, round(across / cell))
     column = np.floor(frame["y"] % across / across * columns).astype(int) % columns
@@ -35,8 +35,8 @@ def filled(frame, across, cell, long, solid):
 
 
 def slope(x, height, diameter):
-    """(angle in degrees, height at x = 0, slope) of a surface that falls along x: the median of the slopes between all pairs of places, a
-    few diameters from both ends left out"""
+    """(angle in degrees, height at x = 0, slope) of a surface that falls along x: the median of the slopes between all pairs of
+    places, a few diameters from both ends left out"""
     chosen = (x > LEFT_OUT * diameter) & (x < x[-1] + 0.5 * (x[1] - x[0]) - LEFT_OUT * diameter)
     falls, start, *_ = theilslopes(height[chosen], x[chosen])
     return float(np.degrees(np.arctan(-falls))), float(start), float(falls)

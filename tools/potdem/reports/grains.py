@@ -5,9 +5,9 @@
 
   tools/report grains [--short] [--keep FOLDER]
 
-Heaps are left on a rough base with and without rolling resistance, five to ten draws of the grains; a bin empties through slots of three
-widths, three draws each; heaps of other grains, three draws each. One process at a time. Writes grains.md, grains-heaps.png, grains-slot.png and a CSV of each to docs/report/
-(about 25 minutes), or with --short, with two draws and shorter runs, to build/report/."""
+Heaps are left on a rough base with and without rolling resistance, five to ten draws of the grains; heaps of other grains, three draws
+each; a bin empties through slots of three widths, three draws each. One process at a time. Writes grains.md, grains-heaps.png,
+grains-slot.png and a CSV of each to docs/report/ (about 30 minutes), or with --short, with two draws and shorter runs, to build/report/."""
 
 import argparse
 import sys

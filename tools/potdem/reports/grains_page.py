@@ -16,6 +16,8 @@ COLOURS = {"potdem": "#1f5f9f", "granular": "#c2702a"}
 SAND, FIXED = (0.85, 0.72, 0.48, 1.0), (0.45, 0.45, 0.45, 1.0)
 GRAVITY = 9.81
 PUBLISHED = (1.03, 1.4)    # C and k of a slot
+# what is compared: text, digits
+COMPARED = {"later": ("angle, degrees", 1), "by_volume": ("angle by volume, degrees", 1), "stay": ("grains in the heap", 0)}
 NUMBERS = {2: "Two", 3: "Three", 5: "Five"}
 
 INTRODUCTION = """# Grains: heaps and discharge, beside LAMMPS's granular
@@ -98,7 +100,8 @@ Each run: [grains-slot.csv](grains-slot.csv).
 
 @dataclass
 class Found:
-    """heaps; contact: (stiffness, overlap) of the first; others: heaps in which something is changed; slots: discharges; times: of the heaps"""
+    """heaps; contact: (stiffness, overlap) of the first; others: heaps in which something is changed; slots: discharges; times: of
+    the heaps"""
 
     heaps: list
     contact: tuple
@@ -125,7 +128,8 @@ def short(value):
 
 def compared(ours, theirs):
     """(difference of the means, its standard error)"""
-    return float(np.mean(ours) - np.mean(theirs)), float(np.sqrt(np.var(ours, ddof=1) / len(ours) + np.var(theirs, ddof=1) / len(theirs)))
+    error = np.sqrt(np.var(ours, ddof=1) / len(ours) + np.var(theirs, ddof=1) / len(theirs))
+    return float(np.mean(ours) - np.mean(theirs)), float(error)
 
 
 def chosen(runs, **what):
@@ -144,8 +148,8 @@ def heap_table(found):
     for rolling in grains_runs.ROLLING:
         for style in grains_runs.STYLES:
             runs = chosen(found, style=style, rolling=rolling)
-            rows.append([f"{rolling:g}", NAMES[style], len(runs), *(plus_minus(values(runs, name), 1) for name in ("angle", "later", "by_volume")),
-                         plus_minus(values(runs, "stay"), 0)])
+            angles = [plus_minus(values(runs, name), 1) for name in ("angle", "later", "by_volume")]
+            rows.append([f"{rolling:g}", NAMES[style], len(runs), *angles, plus_minus(values(runs, "stay"), 0)])
     return writing.table(header, rows)
 
 
@@ -156,27 +160,32 @@ def ways_table(found):
         for style in grains_runs.STYLES:
             runs = chosen(found, style=style, rolling=rolling)
             rows.append([f"{rolling:g}", NAMES[style], f"{max(abs(run.later - run.angle) for run in runs):.2f}",
-                         ", ".join(str(run.grains - run.stay) for run in runs), ", ".join(short(run.moved / grains_runs.D) for run in runs)])
-    return writing.table(["rolling resistance", "", "largest change of the angle", "grains lost, draw by draw", "farthest way of a grain, d"], rows)
+                         ", ".join(str(run.grains - run.stay) for run in runs),
+                         ", ".join(short(run.moved / grains_runs.D) for run in runs)])
+    header = ["rolling resistance", "", "largest change of the angle", "grains lost, draw by draw", "farthest way of a grain, d"]
+    return writing.table(header, rows)
 
 
 def difference_table(found):
     """POTDEM less LAMMPS's granular"""
     rows = []
     for rolling in grains_runs.ROLLING:
-        for name, what, digits in (("later", "angle, degrees", 1), ("by_volume", "angle by volume, degrees", 1), ("stay", "grains in the heap", 0)):
+        for name, (what, digits) in COMPARED.items():
             ours, theirs = (values(chosen(found, style=style, rolling=rolling), name) for style in grains_runs.STYLES)
             difference, error = compared(ours, theirs)
             inside = min(theirs) <= np.mean(ours) <= max(theirs)
             rows.append([f"{rolling:g}", what, f"{difference:+.{digits}f} ± {error:.{digits}f}", f"{np.mean(ours):.{digits}f}",
                          f"{min(theirs):.{digits}f} to {max(theirs):.{digits}f}", "within" if inside else "**outside**"])
-    return writing.table(["rolling resistance", "", "POTDEM less `granular`, ± standard error", "mean of POTDEM", "draws of `granular`", "POTDEM's mean is"], rows)
+    header = ["rolling resistance", "", "POTDEM less `granular`, ± standard error", "mean of POTDEM", "draws of `granular`", "POTDEM's mean is"]
+    return writing.table(header, rows)
 
 
 def seconds_of(found):
     """text"""
-    return "; ".join(f"{rolling:g}: " + " and ".join(f"{np.median(values(chosen(found, style=style, rolling=rolling), 'cpu')):.0f} s" for style in grains_runs.STYLES)
-                     for rolling in grains_runs.ROLLING)
+    def median(style, rolling):
+        return f"{np.median(values(chosen(found, style=style, rolling=rolling), 'cpu')):.0f} s"
+
+    return "; ".join(f"{rolling:g}: " + " and ".join(median(style, rolling) for style in grains_runs.STYLES) for rolling in grains_runs.ROLLING)
 
 
 def changed_table(found):
@@ -185,8 +194,8 @@ def changed_table(found):
     for changed in ["", *grains_runs.CHANGED]:
         runs = chosen(found, style="potdem", rolling=0.0, changed=changed)
         overlaps = [grains_runs.stiffness_of(run.folder)[1] / grains_runs.D for run in runs]
-        rows.append([changed or "as above", plus_minus(values(runs, "later"), 1), plus_minus(values(runs, "stay"), 0), f"{np.mean(overlaps):.2g}", len(runs),
-                     f"{np.median(values(runs, 'cpu')):.0f}"])
+        rows.append([changed or "as above", plus_minus(values(runs, "later"), 1), plus_minus(values(runs, "stay"), 0),
+                     f"{np.mean(overlaps):.2g}", len(runs), f"{np.median(values(runs, 'cpu')):.0f}"])
     return writing.table(["", "angle, degrees", "grains in the heap", "mean overlap, d", "draws", "seconds"], rows)
 
 
@@ -200,8 +209,8 @@ def draw_heap(axis, run):
     ends = np.array([heaps.LEFT_OUT * grains_runs.D, grains_runs.LONG - heaps.LEFT_OUT * grains_runs.D])
     axis.plot(ends, start + falls * ends, color="#b5332e", linewidth=2)
     axis.plot([0, 0], [-0.5 * grains_runs.D, 19 * grains_runs.D], color="#888888", linewidth=2)
-    axis.text(0.98, 0.95, f"{'POTDEM' if run.style == 'potdem' else 'granular'}, rolling {run.rolling:g}\n{degrees:.1f}°", transform=axis.transAxes, ha="right",
-              va="top", fontsize=13)
+    name = "POTDEM" if run.style == "potdem" else "granular"
+    axis.text(0.98, 0.95, f"{name}, rolling {run.rolling:g}\n{degrees:.1f}°", transform=axis.transAxes, ha="right", va="top", fontsize=13)
     axis.set_xlim(-0.01, grains_runs.LONG + 0.02)
     axis.set_ylim(-0.01, 0.195)
 
@@ -218,7 +227,7 @@ def draw_heaps(path, found):
 # --- discharge --------------------------------------------------------------------------------------------------------
 
 def law(slots):
-    """(C, k in grains, largest relative deviation, factor in kg/s, density) of W = C rho sqrt(g) L (D - k d)^(3/2), of POTDEM's runs"""
+    """(C, k in grains, largest relative deviation, factor, density) of W = C rho sqrt(g) L (D - k d)^(3/2), of POTDEM's runs"""
     widths = np.array(grains_runs.WIDTHS) * grains_runs.D
     rates = [np.mean(values(chosen(slots, style="potdem", width=width), "rate")) for width in grains_runs.WIDTHS]
     factor, shift, deviation = heaps.beverloo(widths, rates, 1.5)
@@ -238,9 +247,10 @@ def slot_table(slots):
         for width in grains_runs.WIDTHS:
             runs = chosen(slots, style=style, width=width)
             if runs:
-                rows.append([f"{width}", NAMES[style], plus_minus(values(runs, "rate"), 3), factor * ((width - k) * grains_runs.D) ** 1.5, published(width, density),
-                             plus_minus(values(runs, "density"), 0)])
-    return writing.table(["width, grains", "", "rate, kg/s", f"C = {C:.2f}, k = {k:.2f}", "C = {:g}, k = {:g}".format(*PUBLISHED), "density in the bin, kg/m³"], rows)
+                laws = [factor * ((width - k) * grains_runs.D) ** 1.5, published(width, density)]
+                rows.append([f"{width}", NAMES[style], plus_minus(values(runs, "rate"), 3), *laws, plus_minus(values(runs, "density"), 0)])
+    header = ["width, grains", "", "rate, kg/s", f"C = {C:.2f}, k = {k:.2f}", "C = {:g}, k = {:g}".format(*PUBLISHED), "density in the bin, kg/m³"]
+    return writing.table(header, rows)
 
 
 def slot_verdicts(slots):
@@ -248,16 +258,19 @@ def slot_verdicts(slots):
     ours, theirs = (values(chosen(slots, style=style, width=grains_runs.WIDTH_OF_BOTH), "rate") for style in grains_runs.STYLES)
     difference, error = compared(ours, theirs)
     return "\n".join([
-        f"* Beverloo's law of a slot, $W=C\\,\\rho\\,\\sqrt g\\,L\\,(D-k\\,d)^{{3/2}}$ with the density in the bin, meets the three rates within {100 * deviation:.1g} %, with $C$ = {C:.2f} and "
+        "* Beverloo's law of a slot, $W=C\\,\\rho\\,\\sqrt g\\,L\\,(D-k\\,d)^{3/2}$ with the density in the bin, meets the three rates "
+        f"within {100 * deviation:.1g} %, with $C$ = {C:.2f} and "
         f"$k$ = {k:.2f}. Published for slots: {PUBLISHED[0]:g} and, for spheres, about {PUBLISHED[1]:g} (Nedderman, 1992).",
-        f"* At a width of {grains_runs.WIDTH_OF_BOTH} grains POTDEM's rate is {100 * difference / np.mean(theirs):+.1f} % ± {100 * error / np.mean(theirs):.1f} % (standard error) from that of `granular`."])
+        f"* At a width of {grains_runs.WIDTH_OF_BOTH} grains POTDEM's rate is {100 * difference / np.mean(theirs):+.1f} % ± "
+        f"{100 * error / np.mean(theirs):.1f} % (standard error) from that of `granular`."])
 
 
 def draw_masses(panel, slots):
     """of the first draw"""
     for run in chosen(slots, seed=slots[0].seed):
         panel.plot(run.time, run.mass / run.mass[0], color=COLOURS[run.style], linestyle="-" if run.style == "potdem" else "--")
-        panel.annotate(f"{run.width}" if run.style == "potdem" else "", (run.time[-1], run.mass[-1] / run.mass[0]), textcoords="offset points", xytext=(0, -12), ha="center")
+        if run.style == "potdem":
+            panel.annotate(f"{run.width}", (run.time[-1], run.mass[-1] / run.mass[0]), textcoords="offset points", xytext=(0, -12), ha="center")
     for share in grains_runs.EMPTIES:
         panel.axhline(share, color="#bbbbbb", linewidth=0.8)
     panel.set(xlabel="time since the slot is open, s", ylabel="mass in the bin, share", ylim=(0.3, 1.02),
@@ -267,11 +280,14 @@ def draw_masses(panel, slots):
 def draw_rates(panel, slots):
     C, k, _, factor, density = law(slots)
     widths = np.linspace(2, 10, 100)
-    panel.plot(widths, factor * (np.maximum(widths - k, 0) * grains_runs.D) ** 1.5, color="#555555", label=f"fit: C = {C:.2f}, k = {k:.2f}")
-    panel.plot(widths, published(np.maximum(widths, PUBLISHED[1]), density), color="#555555", linestyle=":", label="C = {:g}, k = {:g}".format(*PUBLISHED))
+    fitted = factor * (np.maximum(widths - k, 0) * grains_runs.D) ** 1.5
+    panel.plot(widths, fitted, color="#555555", label=f"fit: C = {C:.2f}, k = {k:.2f}")
+    known = published(np.maximum(widths, PUBLISHED[1]), density)
+    panel.plot(widths, known, color="#555555", linestyle=":", label="C = {:g}, k = {:g}".format(*PUBLISHED))
     for style, marker in zip(grains_runs.STYLES, "ox"):
         runs = chosen(slots, style=style)
-        panel.plot(values(runs, "width"), values(runs, "rate"), marker, color=COLOURS[style], markersize=8, label=NAMES[style].replace("`", ""))
+        panel.plot(values(runs, "width"), values(runs, "rate"), marker, color=COLOURS[style], markersize=8,
+                   label=NAMES[style].replace("`", ""))
     panel.set(xlabel="width of the slot, grains", ylabel="rate, kg/s", xlim=(2, 10), ylim=(0, None))
     panel.legend()
 
@@ -288,32 +304,35 @@ def draw_slot(path, slots):
 
 def in_short(found):
     """the lines on top"""
-    angles = {(style, rolling): spread(values(chosen(found.heaps, style=style, rolling=rolling), "later"))
-              for style in grains_runs.STYLES for rolling in grains_runs.ROLLING}
-    texts = [f"rolling resistance {rolling:g}: " + ", ".join(f"{NAMES[style]} {angles[style, rolling][0]:.1f} ± {angles[style, rolling][1]:.1f}°" for style in grains_runs.STYLES)
+    def angle(style, rolling):
+        return f"{NAMES[style]} {plus_minus(values(chosen(found.heaps, style=style, rolling=rolling), 'later'), 1)}°"
+
+    texts = [f"rolling resistance {rolling:g}: " + ", ".join(angle(style, rolling) for style in grains_runs.STYLES)
              for rolling in grains_runs.ROLLING]
     C, k, deviation, *_ = law(found.slots)
-    return "\n".join(["**In short.** Angles of repose: " + "; ".join(texts) + f". Discharge of `potdem/hertz`: Beverloo's law within {100 * deviation:.1g} %, "
-                      f"with $C$ = {C:.2f} and $k$ = {k:.2f}."])
+    return ("**In short.** Angles of repose: " + "; ".join(texts) + ". Discharge of `potdem/hertz`: Beverloo's law within "
+            f"{100 * deviation:.1g} %, with $C$ = {C:.2f} and $k$ = {k:.2f}.")
 
 
 def write_data(out, found):
-    writing.write_csv(out / "grains-heaps.csv", ["style", "rolling", "seed", "changed", "angle", "angle later", "by volume", "grains", "later", "farthest way, m", "seconds"],
-                      [[run.style, run.rolling, run.seed, run.changed, run.angle, run.later, run.by_volume, run.grains, run.stay, run.moved, run.cpu]
-                       for run in found.heaps + found.others])
-    writing.write_csv(out / "grains-slot.csv", ["style", "width", "seed", "rate, kg/s", "density, kg/m^3", "deviation from a line", "seconds"],
+    header = ["style", "rolling", "seed", "changed", "angle", "angle later", "by volume", "grains", "later", "farthest way, m", "seconds"]
+    names = ["style", "rolling", "seed", "changed", "angle", "later", "by_volume", "grains", "stay", "moved", "cpu"]
+    writing.write_csv(out / "grains-heaps.csv", header, [[getattr(run, name) for name in names] for run in found.heaps + found.others])
+    header = ["style", "width", "seed", "rate, kg/s", "density, kg/m^3", "deviation from a line", "seconds"]
+    writing.write_csv(out / "grains-slot.csv", header,
                       [[run.style, run.width, run.seed, run.rate, run.density, run.bends, run.cpu] for run in found.slots])
 
 
 def page(found, machine):
     stiffness, overlap = found.contact
-    return (INTRODUCTION.format(machine=writing.table(("machine", ""), machine), short=in_short(found), stiffness=stiffness, overlap=overlap / grains_runs.D,
-                                **grains_runs.in_lammps_terms(stiffness))
+    return (INTRODUCTION.format(machine=writing.table(("machine", ""), machine), short=in_short(found), stiffness=stiffness,
+                                overlap=overlap / grains_runs.D, **grains_runs.in_lammps_terms(stiffness))
             + HEAPS.format(start=found.heaps[0].start, table=heap_table(found.heaps), ways=ways_table(found.heaps),
                            differences=difference_table(found.heaps), seconds=seconds_of(found.heaps), **found.times)
             + CHANGED.format(table=changed_table(found.heaps + found.others))
             + DISCHARGE.format(first=grains_runs.EMPTIES[0], last=grains_runs.EMPTIES[1], bends=max(values(found.slots, "bends")),
-                               draws=NUMBERS[max(values(found.slots, "seed"))], table=slot_table(found.slots), verdicts=slot_verdicts(found.slots)))
+                               draws=NUMBERS[max(values(found.slots, "seed"))], table=slot_table(found.slots),
+                               verdicts=slot_verdicts(found.slots)))
 
 
 def write(out, found, machine):

@@ -37,8 +37,8 @@ EMPTIES = (0.92, 0.5)    # shares in the bin between which the rate is measured
 
 @dataclass
 class Heap:
-    """one run; changed: a name of CHANGED, or nothing; angles, degrees: of the surface after the flow and after the rest, by volume after the rest; grains: in the box, after the
-    flow, after the rest; moved: the farthest that a grain went during the rest, m; cpu: s"""
+    """one run; changed: a name of CHANGED, or nothing; angles, degrees: of the surface after the flow and after the rest, by volume after
+    the rest; grains: in the box, after the flow, after the rest; moved: the farthest that a grain went during the rest, m; cpu: s"""
 
     style: str
     rolling: float
@@ -57,8 +57,8 @@ class Heap:
 
 @dataclass
 class Discharge:
-    """one run; width in grains; rate, kg/s; bends: largest deviation of the mass from a line over the mass; density, kg/m^3; time since the
-    slot is open, s, and mass in the bin, kg"""
+    """one run; width in grains; rate, kg/s; bends: largest deviation of the mass from a line over the mass; density, kg/m^3; time
+    since the slot is open, s, and mass in the bin, kg"""
 
     style: str
     width: int
@@ -79,7 +79,7 @@ def damping_ratio(restitution):
 
 
 def in_lammps_terms(stiffness):
-    """variables of in.heap for LAMMPS's granular. stiffness: dF/dw for which its rolling spring, which is constant, is that of POTDEM"""
+    """variables of in.heap for LAMMPS's granular. stiffness: dF/dw for which its rolling spring, a constant, is that of POTDEM"""
     zeta = damping_ratio(RESTITUTION)
     mass = formulas.sphere_mass(D, DENSITY)
     spring = RATIO * stiffness
@@ -118,9 +118,9 @@ def slope(frame):
 def farthest(before, after):
     """the longest way of a grain that is in both frames"""
     _, first, second = np.intersect1d(before["id"], after["id"], return_indices=True)
-    across = after["y"][second] - before["y"][first]
-    across -= ACROSS * np.round(across / ACROSS)
-    return float(np.sqrt((after["x"][second] - before["x"][first]) ** 2 + across**2 + (after["z"][second] - before["z"][first]) ** 2).max())
+    ways = np.array([after[axis][second] - before[axis][first] for axis in "xyz"])
+    ways[1] -= ACROSS * np.round(ways[1] / ACROSS)
+    return float(np.linalg.norm(ways, axis=0).max())
 
 
 def heap(style, rolling, seed, folder, times, changed="", **more):
@@ -132,20 +132,23 @@ def heap(style, rolling, seed, folder, times, changed="", **more):
     solid = heaps.solid_fraction(box, ACROSS, LONG, 3 * D, 12 * D)
     by_volume = heaps.slope(*heaps.filled(after, ACROSS, CELL, LONG, solid), D)[0]
     print(f"heap: {style}, rolling {rolling:g}, seed {seed} {changed}: {angles[1]:.1f} degrees, {done.cpu:.0f} s", flush=True)
-    return Heap(style, rolling, seed, changed, *angles, by_volume, *(len(frame["x"]) for frame in (box, before, after)), farthest(before, after),
-                done.cpu, folder)
+    counts = [len(frame["x"]) for frame in (box, before, after)]
+    return Heap(style, rolling, seed, changed, *angles, by_volume, *counts, farthest(before, after), done.cpu, folder)
 
 
 def all_heaps(most, work, times):
     """(heaps, (stiffness, overlap) of the contacts of the first of them). most: draws"""
     first = heap("potdem", 0.0, 1, work / "first", times)
     contact = stiffness_of(first.folder)
-    chosen = [(style, rolling, seed) for rolling, draws in ROLLING.items() for seed in range(1, min(draws, most) + 1) for style in STYLES]
-    return [first] + [heap(*what, work / "-".join(map(str, what)), times, **in_lammps_terms(contact[0])) for what in chosen[1:]], contact
+    terms = in_lammps_terms(contact[0])
+    chosen = [(style, rolling, seed) for rolling, draws in ROLLING.items() for seed in range(1, min(draws, most) + 1)
+              for style in STYLES]
+    return [first] + [heap(*what, work / "-".join(map(str, what)), times, **terms) for what in chosen[1:]], contact
 
 
 def changed_heaps(seeds, work, times):
-    return [heap("potdem", 0.0, seed, work / f"changed-{number}-{seed}", times, what) for number, what in enumerate(CHANGED) for seed in seeds]
+    return [heap("potdem", 0.0, seed, work / f"changed-{number}-{seed}", times, what)
+            for number, what in enumerate(CHANGED) for seed in seeds]
 
 
 def discharge(style, width, seed, folder, more):
@@ -161,4 +164,5 @@ def discharge(style, width, seed, folder, more):
 def all_discharges(seeds, work):
     terms = {name: value for name, value in in_lammps_terms(1.0).items() if name in ("e_gran", "xt")}
     chosen = [("potdem", width) for width in WIDTHS] + [("granular", WIDTH_OF_BOTH)]
-    return [discharge(style, width, seed, work / f"slot-{style}-{width}-{seed}", terms) for seed in seeds for style, width in chosen]
+    return [discharge(style, width, seed, work / f"slot-{style}-{width}-{seed}", terms)
+            for seed in seeds for style, width in chosen]
