@@ -18,10 +18,10 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PotdemWallMemory::PotdemWallMemory(LAMMPS *lmp, const std::string &id_fix, int _faces, int state) :
-    Pointers(lmp), id(fmt::format("{}_MEMORY_{}", id_fix, _faces * (1 + state))), id_owner(id_fix),
-    faces(_faces), width(1 + state), store(nullptr)
+    Pointers(lmp), id(fmt::format("{}_MEMORY_{}", id_fix, 1 + _faces * (1 + state))),
+    id_owner(id_fix), faces(_faces), width(1 + state), store(nullptr)
 {
-  modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 no yes", id, faces * width));
+  modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 no yes", id, 1 + faces * width));
   init();
 }
 
@@ -41,14 +41,19 @@ void PotdemWallMemory::init()
                id_owner, id);
 }
 
-double *PotdemWallMemory::at(int i) const
+double &PotdemWallMemory::number(int i) const
 {
-  return store->astore[i];
+  return *store->astore[i];
+}
+
+double *PotdemWallMemory::places_of(int i) const
+{
+  return store->astore[i] + 1;
 }
 
 double *PotdemWallMemory::find(int i, int key) const
 {
-  double *const places = at(i);
+  double *const places = places_of(i);
   for (int k = 0; k < faces; k++)
     if (static_cast<int>(places[k * width]) == key) return places + k * width;
   return nullptr;
@@ -56,20 +61,25 @@ double *PotdemWallMemory::find(int i, int key) const
 
 void PotdemWallMemory::follow(int i, const std::vector<int> &keys)
 {
+  if (number(i) == 0.0) return;
   double *left = nullptr;
   for (int k = 0; k < faces; k++) {
-    double *const place = at(i) + k * width;
+    double *const place = places_of(i) + k * width;
     const int key = static_cast<int>(*place);
     if (key == 0 || std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     if (left) *left = 0.0;
     left = place;
+    number(i) -= 1.0;
   }
   if (!left) return;
   const auto is_new = [this, i](int key) {
     return !find(i, key);
   };
   const auto fresh = std::find_if(keys.begin(), keys.end(), is_new);
-  *left = fresh != keys.end() ? *fresh : 0.0;
+  *left = 0.0;
+  if (fresh == keys.end()) return;
+  *left = *fresh;
+  number(i) += 1.0;
 }
 
 double *PotdemWallMemory::of_face(int i, int key)
@@ -83,5 +93,6 @@ double *PotdemWallMemory::of_face(int i, int key)
                id_owner, atom->tag[i], faces, update->ntimestep);
   std::fill_n(place, width, 0.0);
   *place = key;
+  number(i) += 1.0;
   return place + 1;
 }

@@ -5,7 +5,7 @@
 
 /* What the contacts of particles with the faces of a wall remember, in LAMMPS's fix STORE/ATOM, which carries it through
    exchange, sorting and restart files (its ID has its width, so that a file of a wall with other faces or another law is not
-   misread): for each particle so many places as it can touch faces at once, each the key of a
+   misread): for each particle how many faces it touches, and so many places as it can touch at once, each the key of a
    face (0: free) and the numbers of the tangential law. There only where a law remembers. */
 
 #ifndef LMP_POTDEM_WALL_MEMORY_H
@@ -30,7 +30,7 @@ class PotdemWallMemory : protected Pointers {
   double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
   template <class Action> void for_each(int i, const Action &act) const    // what it remembers
   {
-    const double *const places = at(i);
+    const double *const places = places_of(i);
     for (int k = 0; k < faces; k++)
       if (places[k * width] != 0.0) act(places + k * width + 1);
   }
@@ -40,7 +40,8 @@ class PotdemWallMemory : protected Pointers {
   int faces, width;
   class FixStoreAtom *store;
 
-  double *at(int i) const;
+  double &number(int i) const;    // of places in use
+  double *places_of(int i) const;
   double *find(int i, int key) const;    // its place; of 0: a free one; null: none
 };
 
