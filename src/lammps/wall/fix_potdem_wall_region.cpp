@@ -487,7 +487,7 @@ template <bool SPIN, class Tangential>
 void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state, Touch &touch)
 {
   constexpr bool REMEMBERS = Tangential::STATE > 0;
-  const auto motion = [this, i, &touch] {
+  const auto motion = [&] {
     if constexpr (REMEMBERS) return motion_over_step<SPIN>(i, touch);
     return touch.motion;
   };
