@@ -20,15 +20,6 @@
 #define POTDEM_AVX2 __attribute__((target("avx2")))
 #endif
 
-// what one pass of the loop that follows writes no other one reads
-#if defined(__clang__)
-#define POTDEM_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define POTDEM_INDEPENDENT _Pragma("GCC ivdep")
-#else
-#define POTDEM_INDEPENDENT
-#endif
-
 namespace POTDEM {
 
 enum class Width { PLAIN, AVX2 };
@@ -150,7 +141,12 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
     const Kernel kernel = laws.kernels[pair[0]];
     const Rate rate = laws.rate(pair[0]);
     const Tangential rough = laws.friction(pair[0]);
-    POTDEM_INDEPENDENT
+// what one pass writes no other one reads
+#if defined(__clang__)
+#pragma clang loop vectorize(assume_safety)
+#elif defined(__GNUC__)
+#pragma GCC ivdep
+#endif
     for (int l = 0; l < LANES; l++)
       if constexpr (SAME) {
         find(l, kernel, rate, rough, advance, step, dt);

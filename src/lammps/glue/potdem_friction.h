@@ -53,8 +53,9 @@ template <class Action> auto potdem_visit(const PotdemFriction &friction, Action
 }
 
 bool potdem_read_friction(PotdemMaterialInput &,
-                          PotdemFriction &);       // the next option, if it is one of these
-extern const char *const POTDEM_FRICTION_NAMES;    // of these options, but for the last one, twisting
+                          PotdemFriction &);    // the next option, if it is one of these
+extern const char
+    *const POTDEM_FRICTION_NAMES;    // of these options, but for the last one, twisting
 std::string potdem_friction_text(
     const PotdemFriction &);    // as they are given, each after a blank, or nothing
 double potdem_friction_mu(const PotdemFriction &);
