@@ -219,3 +219,30 @@ def test_clang_has_no_warnings(root, build):
     with ThreadPoolExecutor(2) as workers:
         found = {line for lines in workers.map(complaints, ours.values()) for line in lines}
     assert sorted(found) == []
+
+
+VECTORS = """#include "core/contact/contact_batch.h"
+#include "core/laws/law_list.h"
+using namespace POTDEM;
+void find(ContactBatch<{law}::Kernel, {rate}, {friction}, true, 16> &batch, const PairLaws<{law}::Kernel, {rate}, {friction}> &laws)
+{{
+  batch.find_avx2(laws, true, 1.0, 1.0);
+}}
+"""
+
+
+@pytest.mark.parametrize("law, rate, friction", [("Hertz", "Elastic", "Sliding"), ("Hertz", "Viscous", "TangentialSpring"),
+                                                 ("Hertz", "Restitution", "Mindlin"), ("Hertz", "Restitution", "Rolls<Mindlin>"),
+                                                 ("Dmt", "Restitution", "Rolls<Mindlin>")])
+def test_batches_of_contacts_become_vector_instructions(root, tmp_path, law, rate, friction):
+    """a branch in a law would end that without a word: what GCC says of the loop over the lanes"""
+    gcc = shutil.which("g++")
+    made = subprocess.run([gcc or "g++", "-dumpmachine"], text=True, check=False, stdout=subprocess.PIPE) if gcc else None
+    if not made or not made.stdout.startswith("x86_64"):
+        pytest.skip("needs g++ for x86-64")
+    (options,) = re.findall(r"set\(POTDEM_FLOATING_POINT (.*)\)", (root / "cmake" / "LAMMPSBuild.cmake").read_text())
+    source = tmp_path / "batch.cpp"
+    source.write_text(VECTORS.format(law=law, rate=rate, friction=friction))
+    done = subprocess.run([gcc, "-std=c++17", "-O3", *options.split(), f"-I{root / 'src'}", "-S", "-o", tmp_path / "batch.s",
+                           "-fopt-info-vec-optimized", source], text=True, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert re.search(r"contact_batch\.h.*loop vectorized using 32 byte vectors", done.stdout), done.stdout

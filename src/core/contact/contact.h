@@ -138,7 +138,7 @@ template <class Kernel, class Geometry>
 POTDEM_FUNCTION inline Pressing pressing_of(const Kernel &, double, const Geometry &,
                                             const Evaluation &elastic, long)
 {
-  return {elastic, 0.0};
+  return {{elastic.energy, elastic.force, elastic.stiffness}, 0.0};
 }
 
 POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
@@ -155,9 +155,14 @@ contact_forces(const Kernel &kernel, double r, const Geometry &geometry, double 
                const Rate &rate_law, const Tangential &tangential, double *state, bool advance,
                Motion &&motion, Masses &&masses)
 {
-  ContactForces found{
-      kernel.evaluate(r, geometry), 0.0, 0.0, 0.0, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
-  const auto pressing = pressing_of(kernel, r, geometry, found.elastic, 0);
+  const auto elastic = kernel.evaluate(r, geometry);
+  // number by number: what is copied as a whole goes through memory
+  ContactForces found{{elastic.energy, elastic.force, elastic.stiffness},
+                      0.0,
+                      0.0,
+                      0.0,
+                      {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
+  const auto pressing = pressing_of(kernel, r, geometry, elastic, 0);
   double pushed = pressing.elastic.force, normal = found.elastic.force;
   if constexpr (!std::is_same_v<Rate, Elastic>)
     if (r < geometry.contact) {
