@@ -146,7 +146,7 @@ const ContactGeometry spheres{0.5, 0.5, 1.0};
 Approach approach(double rate)
 {
   const auto elastic = hertz_of(E, nu).kernel(false).evaluate(r, spheres);
-  return {elastic.force, elastic.energy, spheres.contact - r, rate, 1.0};
+  return {elastic.force, elastic.energy, spheres.contact - r, rate, 1.0, 1.0};
 }
 
 double total(bool attract, double rate)

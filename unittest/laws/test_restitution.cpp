@@ -32,7 +32,7 @@ double measured(const Kernel &kernel, const Geometry &geometry, const Restitutio
   const auto acceleration = [&](double w, double v) {
     if (w <= 0.0) return 0.0;
     const auto elastic = kernel.evaluate(geometry.contact - w, geometry);
-    return -law.total({elastic.force, elastic.energy, w, -v, mass}) / mass;
+    return -law.total({elastic.force, elastic.energy, w, -v, mass, 1.0}) / mass;
   };
   double w = 0.0, v = speed, h = 1e-7 * duration;
   for (int step = 0; step < 1000000 && (w > 0.0 || step == 0); step++) {
@@ -96,21 +96,21 @@ TEST(Restitution, OfALinearDashpot)
 TEST(Restitution, OneIsElastic)
 {
   EXPECT_FALSE(of(1.0).active());
-  EXPECT_EQ(of(1.0).total({5.0, 1.0, 0.1, 3.0, mass}), 5.0);
+  EXPECT_EQ(of(1.0).total({5.0, 1.0, 0.1, 3.0, mass, 1.0}), 5.0);
 }
 
 TEST(Restitution, NeverAttracts)
 {
   const auto law = of(0.5);
-  EXPECT_GT(law.total({5.0, 1.0, 0.1, -3.0, mass}), 5.0);
-  EXPECT_EQ(law.total({5.0, 1.0, 0.1, 1e9, mass}), 0.0);
-  EXPECT_EQ(law.total({0.0, 0.0, 0.0, -1.0, mass}), 0.0);
+  EXPECT_GT(law.total({5.0, 1.0, 0.1, -3.0, mass, 1.0}), 5.0);
+  EXPECT_EQ(law.total({5.0, 1.0, 0.1, 1e9, mass, 1.0}), 0.0);
+  EXPECT_EQ(law.total({0.0, 0.0, 0.0, -1.0, mass, 1.0}), 0.0);
 }
 
 TEST(Restitution, ItsViscosityIsTheSlopeOverTheSpeed)
 {
   const auto law = of(0.7);
-  const Approach at{5.0, 1.0, 0.1, -1.0, mass};
+  const Approach at{5.0, 1.0, 0.1, -1.0, mass, 1.0};
   EXPECT_NEAR(law.viscosity(at), law.total(at) - 5.0, 1e-14);
 }
 

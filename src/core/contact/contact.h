@@ -33,7 +33,6 @@ struct ContactMasses {
   double rolling = 0.0, rolling_lever = 0.0;
 
   POTDEM_FUNCTION double over_step() const { return product / (sum * step); }
-  POTDEM_FUNCTION double along_normal() const { return product * dt / (sum * spin_share * step); }
 };
 
 // of two particles, and what it knows of rolling
@@ -144,7 +143,12 @@ POTDEM_FUNCTION inline Pressing pressing_of(const Kernel &, double, const Geomet
 POTDEM_FUNCTION inline Approach approach(const Evaluation &elastic, double overlap, double rate,
                                          double weight, const ContactMasses &masses)
 {
-  return {elastic.force, elastic.energy, overlap, rate, masses.along_normal() / weight};
+  return {elastic.force,
+          elastic.energy,
+          overlap,
+          rate,
+          masses.product * masses.dt,
+          masses.sum * masses.spin_share * masses.step * weight};
 }
 
 // motion and masses as above. state: what the tangential law remembers, or null

@@ -111,7 +111,8 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
                              weight[l], rate, rough, remembered, advance, motion, masses);
     for (int k = 0; k < STATE; k++) state[k][l] = remembered[k];
 
-    const double along = found.normal / distance;
+    // that of a slide is at hand
+    const double along = STATE > 0 ? found.normal * (1.0 / distance) : found.normal / distance;
     r[l] = distance;
     pressing[l] = found.pressing;
     viscous[l] = found.viscous;

@@ -21,8 +21,8 @@ struct Approach {
   double force, energy;    // of the elastic law; force > 0
   double overlap;          // > 0
   double rate;             // of the distance, so that -rate is that of the overlap
-  double
-      mass;    // that the normal force accelerates, m1 m2/(m1 + m2), in units of force over acceleration
+  // m1 m2 over m1 + m2, that the normal force accelerates, in units of force over acceleration
+  double product, sum;
 };
 
 }    // namespace POTDEM

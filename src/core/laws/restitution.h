@@ -62,7 +62,8 @@ struct Restitution {
   // force over velocity
   POTDEM_FUNCTION double viscosity(const Approach &at) const
   {
-    return at.energy > 0.0 ? 2.0 * zeta * at.force * std::sqrt(0.5 * at.mass / at.energy) : 0.0;
+    const double share = 0.5 * at.product / (at.sum * at.energy);
+    return at.energy > 0.0 ? 2.0 * zeta * at.force * std::sqrt(share) : 0.0;
   }
 
   static double log_restitution(double zeta)

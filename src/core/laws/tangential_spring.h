@@ -53,8 +53,9 @@ struct SlipSpring {
     T[0] += turn * (n[1] * state[2] - n[2] * state[1]);
     T[1] += turn * (n[2] * state[0] - n[0] * state[2]);
     T[2] += turn * (n[0] * state[1] - n[1] * state[0]);
-    const double left = square(T), longer = left > 0.0 ? square(state) / left : 0.0;
-    const double scale = std::sqrt(longer) * (k < state[3] ? k / state[3] : 1.0);
+    const double left = square(T), softer = k < state[3] ? k : state[3];
+    const double above = softer * softer * square(state), below = state[3] * state[3] * left;
+    const double scale = below > 0.0 ? std::sqrt(above / below) : 0.0;
     for (int c = 0; c < 3; c++) T[c] *= scale;
   }
 

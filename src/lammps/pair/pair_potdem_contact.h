@@ -252,11 +252,11 @@ double PairPotdem<Law>::closest(int i, int j, const POTDEM::ContactMotion &state
   const auto &kernel = kernels[at(atom->type[i], atom->type[j])];
   const auto partners = geometry(i, j);
   const auto between = masses(i, j, 1.0);
-  return POTDEM::closest_approach(state.r, POTDEM::rate_of_distance(state), ahead, most,
-                                  kernel.hard_core(partners), between.along_normal(),
-                                  [&](double r) {
-                                    return kernel.evaluate(r, partners);
-                                  });
+  return POTDEM::closest_approach(
+      state.r, POTDEM::rate_of_distance(state), ahead, most, kernel.hard_core(partners),
+      force->mvv2e * between.product / (between.sum * between.spin_share), [&](double r) {
+        return kernel.evaluate(r, partners);
+      });
 }
 
 // at the distance r
