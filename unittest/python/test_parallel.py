@@ -249,6 +249,7 @@ GRAINS = {
     "potdem/truss": "1000 0.5 friction 0.3 5",
     "potdem/lj": "300 0.2 3 0.2",
     "potdem/granular rotation yes": "300 3 0.2 friction 0.3 5",
+    "potdem/dmt rotation yes": "1000 0.3 0.1 restitution 0.5 friction 0.3 mindlin damping 0.1 rolling 0.1 0.2 0.1 twisting 0.1 0.2 0.1",
 }
 
 
