@@ -164,7 +164,7 @@ def main(argv):
             write_data(*made[:2], out)
     minutes = (time.monotonic() - start) / 60
     (out / "accuracy.md").write_text(page(arguments, cases, skipped, machine, minutes), encoding="utf-8")
-    print(f"written in {minutes:.1f} minutes: {(out / 'accuracy.md').relative_to(ROOT)}")
+    print(f"written in {minutes:.1f} minutes: {out / 'accuracy.md'}")
 
 
 if __name__ == "__main__":
