@@ -18,7 +18,6 @@ import time
 from pathlib import Path
 
 from potdem import logs
-from potdem.paths import ROOT
 from potdem.reports import work_precision, writing
 from potdem.reports.cases import CASES, keep_calculix
 from potdem.text import replaced
