@@ -60,6 +60,15 @@ template <class Law> std::string potdem_rate_names()
   return names;
 }
 
+// options of a normal law, of_law, and of the rate laws that serve it, each with a comma after it
+template <class Law> std::string potdem_law_names(const PotdemLawRows &of_law)
+{
+  std::string names;
+  for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
+    if (!more.empty()) names += more + ", ";
+  return names;
+}
+
 // the next option, if it is one of a rate law. rate: what has been given so far
 template <class Law>
 bool potdem_read_rate(PotdemMaterialInput &input, const PotdemRate &of_style, PotdemRate &rate)

@@ -137,11 +137,8 @@ template <class Law> void PairPotdem<Law>::read(PotdemMaterialInput &input, int 
     if (potdem_read_option(input, of_law) || potdem_read_rate<Law>(input, of_style, rate) ||
         potdem_read_friction(input, rough))
       continue;
-    std::string names;
-    for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
-      if (!more.empty()) names += more + ", ";
     input.word();
-    input.unknown(names + POTDEM_FRICTION_NAMES + " or twisting");
+    input.unknown(potdem_law_names<Law>(of_law) + POTDEM_FRICTION_NAMES + " or twisting");
   }
   potdem_check_friction<Law>(input, rough, rotation);
   laws[pair] = law;

@@ -168,17 +168,16 @@ void PairPotdem<Law>::dissipative(int pair, int i, int j, double r, double weigh
         std::copy_n(memory + 1, rough.STATE, state);
         if (turned) rough.turn(state);
       }
-    const bool spin = rotation;
     const auto state_of_motion = [&] {
       return motion(i, j);
     };
     const auto both = [&] {
       return masses(i, j, 1.0);
     };
-    return spin ? POTDEM::contact_forces<true>(kernels[pair], r, geometry(i, j), weight, rate,
-                                               rough, state, false, state_of_motion, both)
-                : POTDEM::contact_forces<false>(kernels[pair], r, geometry(i, j), weight, rate,
-                                                rough, state, false, state_of_motion, both);
+    return rotation ? POTDEM::contact_forces<true>(kernels[pair], r, geometry(i, j), weight, rate,
+                                                   rough, state, false, state_of_motion, both)
+                    : POTDEM::contact_forces<false>(kernels[pair], r, geometry(i, j), weight, rate,
+                                                    rough, state, false, state_of_motion, both);
   };
   const auto found = std::visit(
       [&](const auto &rate) {

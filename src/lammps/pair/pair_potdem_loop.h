@@ -169,7 +169,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough, const Ra
       take<EV>(share, at_hand, batch, lanes);
     }
   }
-  if constexpr (LANES > 1) {
+  if (LANES > 1 && lanes.n > 0) {
     batch.find_all(width, all, advance, step, dt);
     take<EV>(share, at_hand, batch, lanes);
   }

@@ -87,14 +87,11 @@ template <class Law> void FixPotdemWallRegion::read_wall(PotdemMaterialInput &in
 {
   PotdemWallLaw<Law> wall{};
   const auto of_law = potdem_rows(wall.law);
-  std::string names;
-  for (const auto &more : {potdem_option_names(of_law), potdem_rate_names<Law>()})
-    if (!more.empty()) names += more + ", ";
   potdem_read_required(input, of_law);
   potdem_complete(wall.law);
   while (!input.done())
     if (!potdem_read_option(input, of_law) && !potdem_read_rate<Law>(input, PotdemRate(), rate))
-      read_common(input, names);
+      read_common(input, potdem_law_names<Law>(of_law));
   potdem_check_friction<Law>(input, friction, rotation);
   wall.kernel = wall.law.kernel(false);
   law = wall;
