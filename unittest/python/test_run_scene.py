@@ -16,6 +16,7 @@ import yaml
 from PIL import Image
 
 from potdem.paths import BUILD, TOOLS
+from potdem.scenes.claim import of_draws
 from potdem.text import replaced
 
 SCRIPT = """
@@ -163,6 +164,7 @@ def test_an_error_of_lammps_is_shown(examples):
 
 @pytest.mark.parametrize("arguments, message", [(["fligth"], "no scene 'fligth'; there are: flight"),
                                                 (["flight", "high"], "has no variant 'high'; there are: slow, fast"),
+                                                (["flight", "slow.drawn"], "has no variant 'slow.drawn'"),
                                                 (["flight"], "no reference log")])
 def test_what_does_not_exist_is_named(examples, arguments, message):
     run = examples(*arguments)
@@ -225,6 +227,44 @@ def test_scenes_may_have_modules_of_the_same_name(with_reference):
     run = with_reference(program="run_all")
     assert run.returncode == 0, run.stdout
     assert "| 3 | flight |" in run.stdout and "| 4 | gliding |" in run.stdout
+
+
+DRAWS = """
+from potdem.scenes.claim import Claim, of_draws
+def claims(folder_of):
+    seeds = [int((folder_of("slow", draw=draw) / "seed.txt").read_text()) for draw in (1, 2, 3)]
+    return [Claim("1", "seeds", "1, 2, 3", str(seeds), of_draws(seed > 1 for seed in seeds))]
+"""
+
+
+def test_draws_are_run_with_seeds_of_their_own_and_without_references(with_reference):
+    (with_reference.scene / "in.flight").write_text("variable seed index 1\n" + SCRIPT + 'print "${seed}" file ${out}/seed.txt\n')
+    (with_reference.scene / "scene.yaml").write_text(replaced(
+        replaced(SETTINGS, "vars: {speed: 2.0}", "vars: {speed: 2.0}, draws: 1"), "default_variants: [slow]",
+        "draws: 3\nall_variants: [slow, fast]"))
+    (with_reference.scene / "claims.py").write_text(DRAWS)
+    before = sorted(with_reference.scene.glob("log.*"))
+    run = with_reference("--update-reference", program="run_all")
+    assert run.returncode == 0, run.stdout
+    assert run.stdout.endswith("4 runs; 12 checks passed, 0 failed\n")
+    assert "| 1 | seeds | 1, 2, 3 | [1, 2, 3] | partly: 2 of 3 draws |" in run.stdout
+    assert sorted(with_reference.scene.glob("log.*")) == before
+    again = with_reference("flight", "slow.draw2")
+    assert again.returncode == 0 and "flight.slow.draw2" in again.stdout and "compared with nothing" in again.stdout
+
+
+def test_a_draw_that_fails_leaves_out_the_claims(with_reference):
+    (with_reference.scene / "scene.yaml").write_text(SETTINGS + "draws: 2\n")
+    (with_reference.scene / "in.flight").write_text("variable seed index 1\n" + SCRIPT +
+                                                    'if "${seed} == 2" then "pair_style no/such/style"\n')
+    run = with_reference(program="run_all")
+    assert run.returncode == 1 and run.stdout.endswith("2 runs; 5 checks passed, 1 failed\n")
+    assert "flight.slow.draw2" in run.stdout and "claims of flight are left out" in run.stdout
+
+
+def test_verdicts_of_several_draws_become_one():
+    assert of_draws([True, True, True]) == "yes" and of_draws([False, False]) == "no"
+    assert of_draws([True, False, True]) == "partly: 2 of 3 draws"
 
 
 def test_a_failed_run_is_told_and_leaves_out_its_claims(with_reference):

@@ -23,10 +23,18 @@ class Claim:
 
 
 def of_scene(scene, folder_of):
-    """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant) -> Path"""
+    """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant, draw=1) -> Path"""
     if not scene.claims:
         return []
     return [replace(found, scene=scene.name) for found in load(scene.claims).claims(folder_of)]
+
+
+def of_draws(verdicts):
+    """one verdict from those of several draws: each true, or false"""
+    verdicts = list(verdicts)
+    if all(verdicts):
+        return "yes"
+    return f"partly: {sum(verdicts)} of {len(verdicts)} draws" if any(verdicts) else "no"
 
 
 def order(claim):

@@ -33,21 +33,27 @@ def work(variant, progress, together, update):
     """runs, compares and draws one variant"""
     try:
         log = run_scene.simulate(variant, 1, progress)
-        if update:
+        if update and variant.has_reference:
             run_scene.make_reference(variant, log)
         _, checks = run_scene.check(variant, log, 1)
         passed, failed = run_scene.count(checks)
         text = f"{passed} checks passed, {failed} failed" + (f"\n{compare.report(checks)}" if failed else "")
-        run_scene.draw(variant, log.parent)
+        if variant.has_reference:
+            run_scene.draw(variant, log.parent)
     except (run_scene.Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
         passed, failed, text = 0, 1, str(problem)
     together.say(f"{variant.label:36s} {text}")
     return Outcome(variant, failed, passed, text)
 
 
+def seconds(variant):
+    """about what a run takes; all draws take the same"""
+    return scenes.seconds_of(variant.scene.variant(variant.name).reference("*", 1))
+
+
 def run(variants, update):
     """the longest first, so that no core is left waiting for it at the end"""
-    weights = {variant.label: scenes.seconds_of(variant.reference("*", 1)) for variant in variants}
+    weights = {variant.label: seconds(variant) for variant in variants}
     together = Together(weights)
     ordered = sorted(variants, key=lambda variant: -weights[variant.label])
 
@@ -64,7 +70,7 @@ def measured(every, outcomes):
     claims = []
     for scene in every:
         if scene.name not in failed:
-            claims += claim.of_scene(scene, lambda name, scene=scene: scene.variant(name).output(1))
+            claims += claim.of_scene(scene, lambda name, draw=1, scene=scene: scene.variant(name, draw).output(1))
         elif scene.claims:
             print(f"claims of {scene.name} are left out: a run of it failed")
     return claims
@@ -81,7 +87,7 @@ def main(argv):
     parser.add_argument("--update-reference", action="store_true")
     update = parser.parse_args(argv).update_reference
     every = [scenes.Scene(name) for name in scenes.names()]
-    outcomes = run([scene.variant(name) for scene in every for name in scene.all_variants], update)
+    outcomes = run([variant for scene in every for variant in scene.runs()], update)
     claims = measured(every, outcomes)
     print(f"\n{claim.table(claims)}\n")
     if update:

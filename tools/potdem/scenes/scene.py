@@ -13,6 +13,7 @@ from potdem import logs
 from potdem.paths import BUILD, EXAMPLES
 
 OUTPUT = BUILD / "examples"
+DRAW = ".draw"
 
 
 class SceneError(Exception):
@@ -56,11 +57,19 @@ class Scene:
         self.default_variants = settings.get("default_variants") or list(self.variants)[:1]
         # what examples/run all runs: the claims may need more than a newcomer's first run
         self.all_variants = settings.get("all_variants") or self.default_variants
+        # of random numbers, the script's variable seed: how many examples/run all runs of a variant that says nothing else
+        self.draws = settings.get("draws", 1)
 
-    def variant(self, name):
-        if name not in self.variants:
-            raise SceneError(f"scene {self.name} has no variant '{name}'; there are: {', '.join(self.variants)}")
-        return Variant(self, name, self.variants[name] or {})
+    def variant(self, name, draw=1):
+        """the name may end in the draw: i-3.draw2"""
+        name, numbered, number = name.partition(DRAW)
+        if name not in self.variants or numbered and not number.isdecimal():
+            raise SceneError(f"scene {self.name} has no variant '{name}{numbered}{number}'; there are: {', '.join(self.variants)}")
+        return Variant(self, name, self.variants[name] or {}, int(number or draw))
+
+    def runs(self):
+        """what examples/run all runs: all_variants, each with all of its draws"""
+        return [self.variant(name, draw) for name in self.all_variants for draw in range(1, self.variant(name).draws + 1)]
 
     @property
     def script(self):
@@ -78,14 +87,24 @@ class Scene:
         path = self.folder / name
         return path if path.exists() else None
 
+
 class Variant:
-    def __init__(self, scene, name, settings):
-        self.scene, self.name = scene, name
-        self.variables = settings.get("vars") or {}
-        self.label = f"{scene.name}.{name}" if name else scene.name
+    def __init__(self, scene, name, settings, draw):
+        self.scene, self.name, self.draw = scene, name, draw
+        self.draws = settings.get("draws", scene.draws)
+        self.variables = dict(settings.get("vars") or {})
+        self.suffix = ""
+        if draw > 1:
+            self.variables["seed"], self.suffix = draw, f"{DRAW}{draw}"
+        self.label = (f"{scene.name}.{name}" if name else scene.name) + self.suffix
+
+    @property
+    def has_reference(self):
+        """the other draws are there for the spread of what is measured"""
+        return self.draw == 1
 
     def output(self, nprocs):
-        return OUTPUT / self.scene.name / f"{self.name or 'default'}.np{nprocs}"
+        return OUTPUT / self.scene.name / f"{self.name or 'default'}{self.suffix}.np{nprocs}"
 
     def log_name(self, version, nprocs):
         return f"log.{version}.{self.label}.g++.{nprocs}"
