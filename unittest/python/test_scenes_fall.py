@@ -1,0 +1,45 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""Bodies in free flight fall with g in the scenes: the numerical damping acts on weight too, and where a body rings it can hold it in
+the air, so that it must be kept away from what flies."""
+
+import re
+
+import numpy as np
+import pytest
+
+from potdem.paths import EXAMPLES
+
+GRAVITY = 9.81
+
+# scene, variables of its script, the group that falls, the seconds between which nothing touches it
+FALLS = [
+    ("beam-impact", {"position": "i", "speed": 5}, "block", (0.0, 0.004)),
+    # after the impact, so that the block rings
+    ("beam-impact", {"position": "i", "speed": 3}, "block", (0.016, 0.026)),
+]
+
+
+def shortened(script, group, end):
+    """the script of a scene with the end of its last run put forward, and with the speed of a group as its output"""
+    start = [match.start() for match in re.finditer(r"^run\s", script, re.MULTILINE)][-1]
+    return script[:start] + f"""
+variable     falls equal vcm({group},z)
+thermo_style custom step time v_falls
+thermo_modify format float %.10g lost ignore lost/bond ignore
+thermo       $(round(0.0002/dt))
+run          $(round({end}/dt))
+"""
+
+
+@pytest.mark.parametrize("scene, variables, group, window", FALLS)
+def test_a_body_in_free_flight_falls_with_g(run_lammps, tmp_path, scene, variables, group, window):
+    script = (EXAMPLES / scene / f"in.{scene}").read_text(encoding="utf-8")
+    thermo = run_lammps(shortened(script, group, window[1]), vars={**variables, "out": tmp_path}).thermo
+    flight = thermo["Time"] >= window[0]
+    time, speed = thermo["Time"][flight], thermo["v_falls"][flight]
+    slope, start = np.polyfit(time, speed, 1)
+    assert slope == pytest.approx(-GRAVITY, rel=0.01)
+    # nothing has touched it
+    assert np.abs(speed - slope * time - start).max() < 0.01 * GRAVITY * (window[1] - window[0])
