@@ -62,6 +62,85 @@ def test_only_the_group(run_lammps, tmp_path):
     assert np.array_equal(left[2:], FORCES[2:])
 
 
+GRAVITY = 9.81
+
+
+def falling(run_lammps, options, group="all"):
+    """velocities in z of two particles, the second of group 'light', after 100 steps of 1 ms of free fall, upwards at first"""
+    script = scripts.box(40) + scripts.particles([(0, 0, 0, 1.0), (3, 0, 0, 0.5)]) + f"""
+pair_style none
+bond_style none
+group light id 2
+velocity all set 0 0 0.3
+fix weight {group} gravity {GRAVITY} vector 0 0 -1
+fix damping all potdem/damping {options}
+fix move all nve
+timestep 1e-3
+run 100
+""" + scripts.result("vz[1]", "vz[2]")
+    return scripts.results(run_lammps(script).stdout)[0]
+
+
+# of 100 sums of doubles
+FALL = dict(rel=1e-13, abs=0)
+
+
+@pytest.mark.every_style
+@pytest.mark.parametrize("form", ["vector", "component"])
+def test_undamped_weight_is_free_fall(run_lammps, form):
+    """up and down, v = v0 - g t, for particles of any mass"""
+    assert falling(run_lammps, f"0.2 form {form} weight no") == pytest.approx([0.3 - GRAVITY * 0.1] * 2, **FALL)
+
+
+def test_weight_is_damped_unless_told(run_lammps):
+    """(1+lambda) g on the way up, (1-lambda) g down"""
+    assert np.array_equal(falling(run_lammps, "0.2"), falling(run_lammps, "0.2 weight yes"))
+    up = 0.3 / (1.2 * GRAVITY)
+    # the step in which it turns
+    assert falling(run_lammps, "0.2")[0] == pytest.approx(-0.8 * GRAVITY * (0.1 - up), abs=0.4 * GRAVITY * 1e-3)
+
+
+@pytest.mark.parametrize("options, falls", [("0.02", False), ("0.02 weight no", False), ("0", True)])
+def test_a_body_that_vibrates_is_held_up(run_lammps, options, falls):
+    """two bonded particles that vibrate along z in free fall: what is damped acts on each one's whole velocity. Without damping the body
+    has g, whatever it does inside"""
+    script = scripts.box(20) + scripts.particles([(0, 0, 0, 1.0), (0, 0, 1.0, 1.0)]) + scripts.elastic(E=1e6) + f"""
+potdem_bonds all 1 1.1
+velocity all set 0 0 0
+set atom 2 z 1.002
+fix weight all gravity {GRAVITY} vector 0 0 -1
+fix damping all potdem/damping {options}
+fix move all nve
+timestep 1e-5
+run 10000
+""" + scripts.result("vcm(all,z)")
+    speed = scripts.results(run_lammps(script).stdout)[0][0] / (-GRAVITY * 0.1)
+    assert abs(speed - 1) < 1e-9 if falls else 0.4 < speed < 0.6    # 0.51 of free fall, as the page says
+
+
+def test_weight_of_a_group(run_lammps):
+    """a fix gravity weighs its own group only; the rest has no force"""
+    assert falling(run_lammps, "0.2 weight no", group="light") == pytest.approx([0.3, 0.3 - GRAVITY * 0.1], **FALL)
+
+
+def test_other_forces_are_damped_without_the_weight(run_lammps, tmp_path):
+    """F = P + m g; damped is P alone. Here P . v > 0 and F . v < 0"""
+    push, mass, velocity = np.array([0.0, 1.0, 3.0]), np.pi / 6, 0.5
+    script = scripts.box(40) + scripts.particles([(0, 0, 0, 1.0)]) + f"""
+pair_style none
+bond_style none
+velocity all set 0 0 {velocity}
+fix push all addforce {push[0]} {push[1]} {push[2]}
+fix weight all gravity {GRAVITY} vector 0 0 -1
+fix damping all potdem/damping 0.3 weight no
+run 0
+""" + scripts.write_dump("f.dump", "fx fy fz")
+    run_lammps(script)
+    force = scripts.vectors(dumps.read(tmp_path / "f.dump")[0], "fx", "fy", "fz")[0]
+    # the weight is added and taken away again: rounding of the larger of the two
+    assert force == pytest.approx(0.7 * push - [0, 0, mass * GRAVITY], rel=1e-14)
+
+
 @pytest.mark.parametrize("form", ["vector", "component"])
 def test_only_takes_energy(run_lammps, form):
     """a vibrating bond: the total energy never grows, and the pair comes to rest at its length"""

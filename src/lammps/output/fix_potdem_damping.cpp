@@ -9,6 +9,7 @@
 #include "lammps/output/fix_potdem_ledger.h"
 
 #include "atom.h"
+#include "modify.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -16,15 +17,19 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), damping{0.0, false}, ledger(nullptr)
+    Fix(lmp, narg, arg), damping{0.0, false}, damps_weight(true), ledger(nullptr)
 {
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
   damping.lambda = input.in_range("lambda", POTDEM::fraction());
   while (!input.done()) {
+    if (input.next_is("weight")) {
+      damps_weight = input.logical("weight");
+      continue;
+    }
     if (!input.next_is("form")) {
       input.word();
-      input.unknown("form");
+      input.unknown("form or weight");
     }
     if (input.next_is("vector"))
       damping.by_component = false;
@@ -47,6 +52,27 @@ void FixPotdemDamping::init()
   potdem_refuse_respa(lmp, "fix potdem/damping");
   ledger = FixPotdemLedger::find(lmp);
   potdem_require_last(lmp, this, "acts on the total force", "");
+  find_weights();
+}
+
+void FixPotdemDamping::find_weights()
+{
+  weights.clear();
+  if (damps_weight) return;
+  for (auto *fix : modify->get_fix_by_style("^gravity")) {
+    int dim;
+    weights.push_back({fix->groupbit, static_cast<double *>(fix->extract("gvec", dim))});
+  }
+}
+
+void FixPotdemDamping::damped_force(int i, double *force) const
+{
+  for (int k = 0; k < 3; k++) force[k] = atom->f[i][k];
+  for (const auto &weight : weights) {
+    if (!(atom->mask[i] & weight.groupbit)) continue;
+    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    for (int k = 0; k < 3; k++) force[k] -= mass * weight.acceleration[k];
+  }
 }
 
 bool FixPotdemDamping::amplifies(int i) const
@@ -64,8 +90,9 @@ void FixPotdemDamping::post_force(int /*vflag*/)
   double **v = atom->v, **f = atom->f;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!amplifies(i)) continue;
-    double drag[3];
-    damping.force(f[i], v[i], drag);
+    double damped[3], drag[3];
+    damped_force(i, damped);
+    damping.force(damped, v[i], drag);
     for (int k = 0; k < 3; k++) f[i][k] += drag[k];
     if (ledger) ledger->add(FixPotdemLedger::DAMPING, i, drag[0], drag[1], drag[2]);
   }

@@ -11,6 +11,8 @@
 
 #include "fix.h"
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixPotdemDamping : public Fix, public ForceAmplifier {
@@ -25,7 +27,16 @@ class FixPotdemDamping : public Fix, public ForceAmplifier {
 
  private:
   POTDEM::Cundall damping;
+  bool damps_weight;
+  struct Weight {
+    int groupbit;
+    const double *acceleration;    // of a fix gravity, which it keeps up to date
+  };
+  std::vector<Weight> weights;      // that are not damped
   class FixPotdemLedger *ledger;    // null: no compute potdem/energy
+
+  void find_weights();
+  void damped_force(int i, double *force) const;
 };
 
 }    // namespace LAMMPS_NS
