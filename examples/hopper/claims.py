@@ -6,9 +6,10 @@
   claims.py FOLDER ...                     of examples/run: build/examples/hopper/<variant>.np<ranks>
   claims.py NAME=VALUE[,VALUE ...] ...     new runs, e.g. claims.py mu_wall=0.3 mu_grain=0,0.3 seed=1,2,3
 
-For each run: the right part's median downward velocity at 0.12 s over that of free fall, (1-lambda) g t, and the
+For each run: the right part's median downward velocity at 0.11 s over that of free fall, and the
 share of its pairs of neighbours that are still neighbours; the grains on the upper and on the lower ledge at the end, all
-and those slower than 0.02 m/s; the downward velocity in the exit at 5, 10, 15, 20 and 25 cm below the lower ledge.
+and those slower than 0.02 m/s; the downward velocity in the exit at 5, 10, 15, 20 and 25 cm below the lower ledge; the median
+acceleration of grains that touch nothing.
 """
 
 import sys
@@ -24,9 +25,10 @@ from potdem.scenes.claim import Claim
 HERE = Path(__file__).resolve().parent
 
 UPPER, LOWER, EDGE, EXIT = 0.32, 0.24, 0.03, 0.04    # m: z0, z1, x0, x1 of in.hopper
-FREE_FALL = 0.8 * 9.81                               # m/s^2, lambda = 0.2
+GRAVITY, INSTANT = 9.81, 0.11                        # m/s^2; s: in free fall 6 cm down
 DEPTHS = np.array([0.05, 0.10, 0.15, 0.20, 0.25])    # m below the lower ledge
 AT_REST = 0.02                                       # m/s
+CLEAR = 0.0097                                       # m: larger than any diameter
 NEIGHBOURS = (0.0095, 0.0105)                        # m: neighbours at the start (spacing 0.00925), and later
 
 
@@ -37,13 +39,13 @@ def places(frame, atoms):
 
 def block(frames):
     """(median velocity over free fall, share of pairs that are still neighbours) of the right part"""
-    first, later = frames[0], dumps.at(frames, 0.12)
+    first, later = frames[0], dumps.at(frames, INSTANT)
     right = first["id"][first["x"] > EDGE]
     start, _ = places(first, right)
     points, down = places(later, right)
     i, j = cKDTree(start).query_pairs(NEIGHBOURS[0], output_type="ndarray").T
     together = np.linalg.norm(points[i] - points[j], axis=1) < NEIGHBOURS[1]
-    return np.median(down) / (FREE_FALL * later["time"]), together.mean()
+    return np.median(down) / (GRAVITY * later["time"]), together.mean()
 
 
 def on_ledges(frame):
@@ -61,12 +63,32 @@ def exit_velocities(frames):
     return [down[np.abs(LOWER - depth - z) < 0.01].mean() for depth in DEPTHS]
 
 
+def alone(frame):
+    """mask of the grains in the exit that touch neither another nor a wall"""
+    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
+    gap = cKDTree(points).query(points, k=2)[0][:, 1]
+    inside = (np.abs(frame["x"] - EXIT / 2) < EXIT / 2 - CLEAR) & (frame["y"] > CLEAR) & (frame["y"] < frame["y"].max() - CLEAR)
+    return inside & (frame["z"] < LOWER - CLEAR) & (gap > CLEAR)
+
+
+def falls(frames):
+    """acceleration over g of grains that are alone in two frames in a row"""
+    found = []
+    for first, second in zip(frames, frames[1:]):
+        _, rows, others = np.intersect1d(first["id"][alone(first)], second["id"][alone(second)], return_indices=True)
+        before, after = first["vz"][alone(first)][rows], second["vz"][alone(second)][others]
+        found.append((before - after) / (second["time"] - first["time"]) / GRAVITY)
+    return np.concatenate(found)
+
+
 def measure(folder):
     frames = dumps.read_run(folder, "dump.hopper")
     velocity, together = block(frames)
     counts = "upper %d (%d at rest), lower %d (%d)" % tuple(on_ledges(frames[-1]))
     leaving = " ".join(f"{value:.2f}" for value in exit_velocities(frames))
-    return f"block {velocity:.2f} of free fall, {100 * together:.0f} % together; {counts}; exit {leaving} m/s"
+    free = falls(frames)
+    return (f"block {velocity:.2f} of free fall, {100 * together:.0f} % together; {counts}; exit {leaving} m/s; "
+            f"{len(free)} times alone, {np.median(free):.3f} g")
 
 
 def claims(folder_of):
@@ -79,7 +101,7 @@ def claims(folder_of):
     grows = np.all(np.diff(upper) > 0) and np.all(np.diff(lower) > 0)
     faster = all(np.all(np.diff(speeds) > 0) for speeds in leaving)
     three = "{:.0f}, {:.0f}, {:.0f}".format
-    measured = (f"no friction, rough walls, rough: {three(*together)} % of the block's neighbours still together at 0.12 s; "
+    measured = (f"no friction, rough walls, rough: {three(*together)} % of the block's neighbours still together at {INSTANT} s; "
                 f"{three(*upper)} grains on the upper ledge, {three(*lower)} on the lower; exit "
                 f"{leaving[2][0]:.2f} to {leaving[2][-1]:.2f} m/s over 20 cm")
     verdict = "yes" if falls and grows and faster else "partly" if grows or faster else "no"
