@@ -39,7 +39,8 @@ def hopper(short, _):
         ("η = 7.6 kg/s, soft layer", 2.5e-5, {"eta": 7.6}), ("η auto, no layer", 1e-4, {"layer": "layer none"}),
         ("η auto, no layer", 5e-5, {"layer": "layer none"})])
     settings = [lammps(series, f"{1e6 * step:g} µs", EXAMPLES / "hopper" / "in.hopper",
-                       seeded({"mu_wall": 0.3, "mu_grain": 0.3, "time": time, "picture": "no", "dt": step, **more}), of_hopper, loop=True)
+                       seeded({"mu_wall": 0.3, "mu_grain": 0.3, "weight": "yes", "time": time, "picture": "no", "dt": step, **more}),
+                       of_hopper, loop=True)
                 for series, step, more in chosen]
     settings[-1].reference = True
     return Case("hopper", "Discharge of a hopper", HOPPER_TEXT.format(time=time) + " " + SEEDS_TEXT, "friction and walls", "step",
@@ -49,7 +50,7 @@ def hopper(short, _):
 
 # --- column -----------------------------------------------------------------------------------------------
 
-COLUMN_TEXT = """Scene [column-drop](../../examples/column-drop/README.md), friction {mu_grain} between the grains too, {settling} s in the box and {spreading} s without
+COLUMN_TEXT = """Scene [column-drop](../../examples/column-drop/README.md), friction {mu_grain} between the grains, λ = {damping}, {settling} s in the box and {spreading} s without
 the left wall. Reference: {{reference}}. *Run-out*: of the centre of mass, from the right wall; *height*: of the same; η as above."""
 
 
@@ -59,9 +60,9 @@ def of_column(run):
 
 def column(short, _):
     script = EXAMPLES / "column-drop" / "in.column-drop"
-    # the scene's own grains are smooth, and no η changes them
     common = {"settling": 0.3, "spreading": 0.3} if short else {"settling": 0.5, "spreading": 0.5}
-    common["mu_grain"] = 0.3
+    # more friction than the scene has, so that η tells, and a heap that comes to rest
+    common |= {"mu_grain": 0.3, "damping": 0.2, "weight": "yes", "solid": 0.584}
     chosen = [("η auto", 1e-4, {}), ("η auto", 5e-5, {}), ("η = 1 kg/s", 5e-5, {"eta": 1}), ("η auto", 2.5e-5, {})]
     chosen += [] if short else [("η = 1 kg/s", 1e-4, {"eta": 1}), ("η auto", 1.25e-5, {})]
     settings = [lammps(series, f"{1e6 * step:g} µs", script, seeded({**common, "picture": "no", "dt": step, **more}), of_column, loop=True)
