@@ -173,6 +173,7 @@ CASES = {
     "damping one": (WALL + "fix d all potdem/damping 1", ["lambda = 1", "< 1"]),
     "damping form": (WALL + "fix d all potdem/damping 0.1 form diagonal", ["'diagonal'", "vector or component"]),
     "damping keyword": (WALL + "fix d all potdem/damping 0.1 component", ["'component'", "expected form or weight"]),
+    "damping weight": (WALL + "fix d all potdem/damping 0.1 weight none", ["weight must be yes or no", "'none'"]),
     "damping missing": (WALL + "fix d all potdem/damping", ["fix potdem/damping", "missing"]),
     # strain
     "strain before bonds": (WALL + "compute s all potdem/strain/atom", ["potdem/strain/atom s", "after potdem_bonds"]),
