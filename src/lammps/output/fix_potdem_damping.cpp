@@ -65,7 +65,7 @@ void FixPotdemDamping::find_weights()
   }
 }
 
-void FixPotdemDamping::damped_force(int i, double *force) const
+void FixPotdemDamping::without_weight(int i, double *force) const
 {
   for (int k = 0; k < 3; k++) force[k] = atom->f[i][k];
   for (const auto &weight : weights) {
@@ -90,9 +90,9 @@ void FixPotdemDamping::post_force(int /*vflag*/)
   double **v = atom->v, **f = atom->f;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!amplifies(i)) continue;
-    double damped[3], drag[3];
-    damped_force(i, damped);
-    damping.force(damped, v[i], drag);
+    double rest[3], drag[3];
+    if (!weights.empty()) without_weight(i, rest);
+    damping.force(weights.empty() ? f[i] : rest, v[i], drag);
     for (int k = 0; k < 3; k++) f[i][k] += drag[k];
     if (ledger) ledger->add(FixPotdemLedger::DAMPING, i, drag[0], drag[1], drag[2]);
   }

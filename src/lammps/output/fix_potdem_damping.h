@@ -36,7 +36,7 @@ class FixPotdemDamping : public Fix, public ForceAmplifier {
   class FixPotdemLedger *ledger;    // null: no compute potdem/energy
 
   void find_weights();
-  void damped_force(int i, double *force) const;
+  void without_weight(int i, double *force) const;
 };
 
 }    // namespace LAMMPS_NS
