@@ -151,7 +151,7 @@ def test_walls(run_lammps):
     assert kinds(run_lammps(on_wall(1e-3, 0.1))) == []
     run = run_lammps(on_wall(0.08, 1.0))
     assert kinds(run) == ["contact"] and "wall floor" in warnings(run)[0]
-    run = run_lammps(on_wall(1e-3, 10.0), expect_error="has passed the wall")
+    run = run_lammps(on_wall(1e-3, 30.0), expect_error="has passed the wall")
     assert kinds(run) == ["deep"]
 
 

@@ -38,6 +38,8 @@ struct WallGeometry {
 
   POTDEM_FUNCTION double dbar() const { return ri; }
   POTDEM_FUNCTION double effective_radius() const { return ri; }
+  // Hertz's force goes on where the centre has passed the surface, until the whole sphere has
+  POTDEM_FUNCTION constexpr double deepest() const { return -ri; }
 };
 
 // stiffness of two different springs, or modulus of two half trusses, in series (eq. 3.8)

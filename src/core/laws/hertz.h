@@ -76,9 +76,13 @@ struct Hertz {
   struct Kernel {
     double modulus, shear_ratio;
 
-    template <class Geometry> POTDEM_FUNCTION static constexpr double hard_core(const Geometry &)
+    template <class Geometry>
+    POTDEM_FUNCTION static constexpr double hard_core([[maybe_unused]] const Geometry &at)
     {
-      return 0.0;
+      if constexpr (Geometry::flat)
+        return at.deepest();
+      else
+        return 0.0;
     }
 
     template <class Geometry>

@@ -11,7 +11,8 @@
      Phi    = integral of T dw from 0 to w
      1/Ebar = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j
 
-   5.26 as printed multiplies the tangent stiffness 5.25 by w^(3/2), which is no force law; the secant
+   Domain: distance > -ri. Where the centre has passed the surface the force goes on, so that a particle that is pressed
+   harder than (4/3) Ebar ri^2 comes back. 5.26 as printed multiplies the tangent stiffness 5.25 by w^(3/2), which is no force law; the secant
    form is meant. gamma = layer * ri with layer dimensionless; m >= 1. */
 
 #ifndef POTDEM_HERTZ_WALL_H
@@ -62,7 +63,7 @@ struct HertzWall {
   struct Kernel {
     double modulus, layer, m, shear_ratio;
 
-    POTDEM_FUNCTION static constexpr double hard_core(const WallGeometry &) { return 0.0; }
+    POTDEM_FUNCTION static double hard_core(const WallGeometry &at) { return at.deepest(); }
 
     POTDEM_FUNCTION Evaluation evaluate(double r, const WallGeometry &at) const
     {

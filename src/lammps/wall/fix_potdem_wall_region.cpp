@@ -201,7 +201,7 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   summed = false;
   surface.follow();
   too_stiff = monitor ? monitor->stiffest_over_mass() : std::numeric_limits<double>::infinity();
-  too_near = monitor ? FixPotdemMonitor::DEEP : 0.0;
+  too_near = monitor ? FixPotdemMonitor::DEEP : -std::numeric_limits<double>::infinity();
   rub = MOTION && potdem_friction_acts(friction) ? friction_kernel() : nullptr;
   std::visit(
       [this](const auto &wall, const auto &dashpot) {
@@ -274,14 +274,12 @@ void FixPotdemWallRegion::push(int i, bool periodic, const Wall &wall, const Rat
   if (!(atom->mask[i] & groupbit)) return;
   double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
   if (periodic && !domain->inside(x)) bring_back(x);
-  if (!surface.is_free(x))
-    error->one(FLERR,
-               "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
-               "{}) on step {}; use "
-               "a smaller timestep, a stiffer wall, or start the particles inside the region",
-               id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+  const bool free = surface.is_free(x);
+  const auto &faces = free ? surface.faces(x, wall.reach(atom->radius[i]))
+                           : behind(x, wall, atom->radius[i]);
+  if (!free && faces.empty()) passed(i, x);
   touches.clear();
-  for (const auto &face : surface.faces(x, wall.reach(atom->radius[i]))) {
+  for (const auto &face : faces) {
     if constexpr (SLIDE) {
       touches.emplace_back();
       if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back())) touches.pop_back();
@@ -291,6 +289,23 @@ void FixPotdemWallRegion::push(int i, bool periodic, const Wall &wall, const Rat
     }
   }
   if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
+}
+
+// the face that a centre has passed, if the law goes on there
+template <class Wall>
+const std::vector<PotdemWallSurface::Face> &FixPotdemWallRegion::behind(const double *x,
+                                                                        const Wall &wall, double ri)
+{
+  return surface.face_before(x, std::fmax(0.0, -wall.kernel.hard_core(wall.geometry(ri))));
+}
+
+void FixPotdemWallRegion::passed(int i, const double *x) const
+{
+  error->one(FLERR,
+             "Fix potdem/wall/region {}: the centre of atom {} has passed the wall at ({}, {}, "
+             "{}) on step {}; use "
+             "a smaller timestep, a stiffer wall, or start the particles inside the region",
+             id, atom->tag[i], x[0], x[1], x[2], update->ntimestep);
 }
 
 // between two neighbour lists a particle may be outside of a periodic box, though not by a period
@@ -329,6 +344,7 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
   const auto geometry = wall.geometry(ri);
   const double hard_core = wall.kernel.hard_core(geometry);
   if (domain->dimension == 2 && out_of_plane(i, face)) return false;
+  if (r == 0.0) passed(i, atom->x[i]);    // the normal is not known there
   if (!(r > hard_core))
     error->one(FLERR,
                "Fix potdem/wall/region {}: atom {} is {} from the wall on step {}, which is not "
@@ -571,7 +587,9 @@ void FixPotdemWallRegion::add_stiffness_of(const Wall &wall, PotdemStiffness &su
     double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
     if (!domain->inside(x)) bring_back(x);
     const double reach = wall.reach(atom->radius[i]);
-    for (const auto &face : surface.faces(x, reach + further)) {
+    const auto &faces = surface.is_free(x) ? surface.faces(x, reach + further)
+                                           : behind(x, wall, atom->radius[i]);
+    for (const auto &face : faces) {
       const double r = ahead > 0.0 ? closest(i, face, ahead, wall) : face.r;
       if (r < reach && !(domain->dimension == 2 && out_of_plane(i, face)))
         sum.add_wall(i, spring(i, face, r, wall));

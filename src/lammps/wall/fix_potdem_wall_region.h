@@ -107,6 +107,9 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void push_all(const Wall &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push(int i, bool periodic, const Wall &, const Rate &);
+  template <class Wall>
+  const std::vector<PotdemWallSurface::Face> &behind(const double *x, const Wall &, double ri);
+  [[noreturn]] void passed(int i, const double *x) const;
   template <bool MOVE, class Wall, class Rate>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
   template <bool SPIN, class Tangential> void add_friction(int i);

@@ -138,7 +138,7 @@ bool PotdemWallSurface::stands_still() const
 
 bool PotdemWallSurface::is_near(const double *x, double reach) const
 {
-  return std::any_of(parts.begin(), parts.end(), [x, reach](const Part &part) {
+  return !is_free(x) || std::any_of(parts.begin(), parts.end(), [x, reach](const Part &part) {
     return part.region->surface(x[0], x[1], x[2], part.search * reach) > 0;
   });
 }
@@ -155,6 +155,23 @@ void PotdemWallSurface::spin(const Face &face, double *w) const
 bool PotdemWallSurface::is_free_of_parts(const double *x) const
 {
   return ::is_free(region, x);
+}
+
+const std::vector<PotdemWallSurface::Face> &PotdemWallSurface::face_before(const double *x,
+                                                                           double depth)
+{
+  found.clear();
+  if (region->reglist) return found;
+  region->interior ^= 1;
+  add_faces(0, region->surface(x[0], x[1], x[2], parts[0].search * depth), x, depth, found);
+  region->interior ^= 1;
+  if (found.empty()) return found;
+  found = {*std::min_element(found.begin(), found.end(), [](const Face &a, const Face &b) {
+    return a.r < b.r;
+  })};
+  MathExtra::negate3(found[0].n);
+  found[0].r = -found[0].r;
+  return found;
 }
 
 void PotdemWallSurface::collect_all(const double *x, double reach)

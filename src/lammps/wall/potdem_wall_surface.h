@@ -25,7 +25,7 @@ class PotdemWallSurface : protected Pointers {
   struct Face {
     int part;
     double foot[3];    // on the surface
-    double n[3];       // from there to the centre
+    double n[3];       // from there to a centre that is free
     double r;          // distance
     bool grows;        // its velocity is that of a change of shape, too
     int key;           // the same for the same face as long as the region is the same, > 0
@@ -51,6 +51,8 @@ class PotdemWallSurface : protected Pointers {
       add_faces(0, n, x, reach, found);
     return found;
   }
+  // of a centre that is not free, within a depth: the nearest one, its distance negative; none where the region has parts
+  const std::vector<Face> &face_before(const double *x, double depth);
   // of the place that is at the foot now, at a time from now
   void velocity(const Face &, double *u, double when = 0.0) const;
   void spin(const Face &, double *w) const;    // angular velocity
