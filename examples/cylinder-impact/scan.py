@@ -21,7 +21,7 @@ from potdem.scenes import scanning
 
 HERE = Path(__file__).resolve().parent
 
-PARTICLES = 2275
+SIZES = ("v_n1", "v_n2", "v_n10", "v_n100")    # particles in pieces of 1, 2 to 9, 10 to 99, 100 and more
 INSTANTS = (0.2, 0.4, 0.8)    # s
 
 
@@ -31,10 +31,15 @@ def at(table, instant):
     return {name: values[row] for name, values in table.items()}
 
 
+def share(row, *names):
+    """per cent of the particles"""
+    return 100 * sum(row[name] for name in names) / sum(row[name] for name in SIZES)
+
+
 def rebound(table):
-    """(time, speed) at which the plane no longer pushes, or None"""
-    free = np.flatnonzero((table["v_force"] == 0) & (table["v_speed"] > 0))
-    return (table["Time"][free[0]], table["v_speed"][free[0]]) if free.size else None
+    """(time, speed) of the first row after which the plane does not push again, or None"""
+    free = np.flatnonzero(table["v_force"] > 0)[-1] + 1
+    return (table["Time"][free], table["v_speed"][free]) if free < table["Time"].size else None
 
 
 def measure(folder):
@@ -43,10 +48,8 @@ def measure(folder):
     words = ["leaves at %.3f s with %.2f m/s" % leaves if leaves else "stays"]
     for instant in (t for t in INSTANTS if t <= table["Time"][-1] + 1e-9):
         row = at(table, instant)
-        single, between, largest = (100 * row[n] / PARTICLES for n in ("v_n1", "v_n2", "v_largest"))
-        between += 100 * row["v_n10"] / PARTICLES
-        words.append(f"{instant} s: {row['v_broken']:.0f} broken, {row['v_pieces']:.0f} pieces, "
-                     f"{single:.1f} {between:.1f} {largest:.1f} %")
+        words.append(f"{instant} s: {row['v_broken']:.0f} broken, {row['v_pieces']:.0f} pieces, {share(row, 'v_n1'):.1f} "
+                     f"{share(row, 'v_n2', 'v_n10'):.1f} {share(row, 'v_largest'):.1f} %")
     return "; ".join(words)
 
 
