@@ -52,7 +52,7 @@ def first_claim(printed, nearest):
 
     verdict = of_draws(map(clusters_late, printed))
     if verdict == "no":
-        verdict += (f": not as printed, a bond fails at a strain of {1e6 / E:.2f}, and the impact strains the cylinder by "
+        verdict += (f": a bond fails at a strain of {1e6 / E:.2f}, and the impact strains the cylinder by "
                     f"v0/c = {SPEED / math.sqrt(E / DENSITY):.2f}")
     return Claim("8a", "cylinder-impact, 1 MPa: grain-like fragments early, large clusters later", "both",
                  f"three draws: {words(printed)}; with the non-penetration factor m = 1: {words(nearest)}", verdict)
