@@ -73,12 +73,16 @@ template <class Law> void compare_all(const Law &law)
   Restitution restitution{0.5};
   restitution.complete();
   const RollingResistance resistance{0.1, 0.5, 0.1, 0.1, 0.5, 0.1};
-  const Mindlin mindlin{{}, 0.3, 0.2};
-  for (const Width width : {Width::PLAIN, widest()}) {
+  const Mindlin damped{{}, 0.3, 0.2}, undamped{{}, 0.3, 0.0};
+  for (const Width width : {Width::PLAIN, Width::AVX2, Width::AVX512}) {
+    if (width > widest()) break;
     compare(law, Elastic(), Sliding{0.3, 2.0, 0.0}, width);
     compare(law, Viscous{1e-3, 0.0}, TangentialSpring{{}, 0.3, 0.8, 0.0}, width);
-    compare(law, restitution, mindlin, width);
-    compare(law, restitution, Rolls<Mindlin>{mindlin, resistance}, width);
+    compare(law, Viscous{1e-3, 0.0}, TangentialSpring{{}, 0.3, 0.8, 0.2}, width);
+    compare(law, restitution, undamped, width);
+    compare(law, restitution, damped, width);
+    compare(law, restitution, Rolls<Mindlin>{undamped, resistance}, width);
+    compare(law, restitution, Rolls<Mindlin>{damped, resistance}, width);
   }
 }
 

@@ -226,7 +226,8 @@ VECTORS = """#include "core/contact/contact_batch.h"
 using namespace POTDEM;
 void find(ContactBatch<{law}::Kernel, {rate}, {friction}, true, 16> &batch, const PairLaws<{law}::Kernel, {rate}, {friction}> &laws)
 {{
-  batch.find_avx2(laws, true, 1.0, 1.0);
+  batch.find_avx2(laws, 1.0, 1.0);
+  batch.find_avx512(laws, 1.0, 1.0);
 }}
 """
 
@@ -245,4 +246,5 @@ def test_batches_of_contacts_become_vector_instructions(root, tmp_path, law, rat
     source.write_text(VECTORS.format(law=law, rate=rate, friction=friction))
     done = subprocess.run([gcc, "-std=c++17", "-O3", *options.split(), f"-I{root / 'src'}", "-S", "-o", tmp_path / "batch.s",
                            "-fopt-info-vec-optimized", source], text=True, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    assert re.search(r"contact_batch\.h.*loop vectorized using 32 byte vectors", done.stdout), done.stdout
+    for size in (32, 64):
+        assert re.search(rf"contact_batch\.h.*loop vectorized using {size} byte vectors", done.stdout), done.stdout

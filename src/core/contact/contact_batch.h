@@ -18,15 +18,19 @@
 #if defined(__x86_64__) && defined(__GNUC__)
 #define POTDEM_WIDE_CODE 1
 #define POTDEM_AVX2 __attribute__((target("avx2")))
+#define POTDEM_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
 #endif
 
 namespace POTDEM {
 
-enum class Width { PLAIN, AVX2 };
+enum class Width { PLAIN, AVX2, AVX512 };
 
 inline Width widest()
 {
 #ifdef POTDEM_WIDE_CODE
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return Width::AVX512;
   if (__builtin_cpu_supports("avx2")) return Width::AVX2;
 #endif
   return Width::PLAIN;
@@ -38,6 +42,17 @@ template <class Law> constexpr auto is_wide(int) -> decltype(Law::wide)
   return Law::wide;
 }
 template <class Law> constexpr bool is_wide(long)
+{
+  return false;
+}
+
+// has this law of friction a dashpot that may be none?
+template <class Law>
+constexpr auto has_undamped(int) -> decltype(std::declval<Law>().undamped(), true)
+{
+  return true;
+}
+template <class Law> constexpr bool has_undamped(long)
 {
   return false;
 }
@@ -134,50 +149,51 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
     }
   }
 
-  // SAME: all lanes have the laws of one pair of types
-  template <bool SAME>
-  POTDEM_FUNCTION void find_lanes(const PairLaws<Kernel, Rate, Tangential> &laws, bool advance,
-                                  double step, double dt)
+  POTDEM_FUNCTION void find_lanes(const Kernel &kernel, const Rate &rate, const Tangential &rough,
+                                  bool advance, double step, double dt)
   {
-    const Kernel kernel = laws.kernels[pair[0]];
-    const Rate rate = laws.rate(pair[0]);
-    const Tangential rough = laws.friction(pair[0]);
 // what one pass writes no other one reads
 #if defined(__clang__)
 #pragma clang loop vectorize(assume_safety)
 #elif defined(__GNUC__)
 #pragma GCC ivdep
 #endif
-    for (int l = 0; l < LANES; l++)
-      if constexpr (SAME) {
-        find(l, kernel, rate, rough, advance, step, dt);
-      } else {
-        const Kernel own_kernel = laws.kernels[pair[l]];
-        const Rate own_rate = laws.rate(pair[l]);
-        const Tangential own_rough = laws.friction(pair[l]);
-        find(l, own_kernel, own_rate, own_rough, advance, step, dt);
-      }
+    for (int l = 0; l < LANES; l++) find(l, kernel, rate, rough, advance, step, dt);
   }
 
-  POTDEM_FUNCTION void find_plain(const PairLaws<Kernel, Rate, Tangential> &laws, bool advance,
-                                  double step, double dt)
+  // all lanes have the laws of the first one's pair of types
+  POTDEM_FUNCTION void find_alike(const PairLaws<Kernel, Rate, Tangential> &laws, double step,
+                                  double dt)
   {
-    if constexpr (LANES == 1) {
-      find_lanes<true>(laws, advance, step, dt);
-    } else if (!advance) {
-      find_lanes<false>(laws, false, step, dt);
-    } else {
-      bool same = true;
-      for (int l = 1; l < LANES; l++) same = same && pair[l] == pair[0];
-      same ? find_lanes<true>(laws, true, step, dt) : find_lanes<false>(laws, true, step, dt);
-    }
+    const Kernel kernel = laws.kernels[pair[0]];
+    const Rate rate = laws.rate(pair[0]);
+    const Tangential rough = laws.friction(pair[0]);
+    if constexpr (has_undamped<Tangential>(0))
+      if (rough.xi == 0.0) return find_lanes(kernel, rate, rough.undamped(), true, step, dt);
+    find_lanes(kernel, rate, rough, true, step, dt);
+  }
+
+  POTDEM_FUNCTION void find_one(int l, const PairLaws<Kernel, Rate, Tangential> &laws, bool advance,
+                                double step, double dt)
+  {
+    find(l, laws.kernels[pair[l]], laws.rate(pair[l]), laws.friction(pair[l]), advance, step, dt);
+  }
+
+  void find_each(const PairLaws<Kernel, Rate, Tangential> &laws, bool advance, double step,
+                 double dt)
+  {
+    for (int l = 0; l < LANES; l++) find_one(l, laws, advance, step, dt);
   }
 
 #ifdef POTDEM_WIDE_CODE
-  POTDEM_AVX2 void find_avx2(const PairLaws<Kernel, Rate, Tangential> &laws, bool advance,
-                             double step, double dt)
+  POTDEM_AVX2 void find_avx2(const PairLaws<Kernel, Rate, Tangential> &laws, double step, double dt)
   {
-    find_plain(laws, advance, step, dt);
+    find_alike(laws, step, dt);
+  }
+  POTDEM_AVX512 void find_avx512(const PairLaws<Kernel, Rate, Tangential> &laws, double step,
+                                 double dt)
+  {
+    find_alike(laws, step, dt);
   }
 #endif
 
@@ -185,11 +201,15 @@ template <class Kernel, class Rate, class Tangential, bool SPIN, int NLANES> str
   POTDEM_FUNCTION void find_all(Width width, const PairLaws<Kernel, Rate, Tangential> &laws,
                                 bool advance, double step, double dt)
   {
+    if constexpr (LANES == 1) return find_one(0, laws, advance, step, dt);
+    bool alike = advance;
+    for (int l = 1; l < LANES; l++) alike = alike && pair[l] == pair[0];
+    if (!alike) return find_each(laws, advance, step, dt);
 #ifdef POTDEM_WIDE_CODE
-    if constexpr (LANES > 1)
-      if (width == Width::AVX2) return find_avx2(laws, advance, step, dt);
+    if (width == Width::AVX512) return find_avx512(laws, step, dt);
+    if (width == Width::AVX2) return find_avx2(laws, step, dt);
 #endif
-    find_plain(laws, advance, step, dt);
+    find_alike(laws, step, dt);
   }
 };
 

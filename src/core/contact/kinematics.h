@@ -44,14 +44,14 @@ POTDEM_FUNCTION inline double dot(const double *a, const double *b)
 // dr/dt
 POTDEM_FUNCTION inline double rate_of_distance(const ContactMotion &at)
 {
-  return dot(at.v, at.del) / at.r;
+  return dot(at.v, at.del) * (1.0 / at.r);
 }
 
 // of the first surface over the second
 template <bool SPIN>
 POTDEM_FUNCTION inline void sliding_velocity(const ContactMotion &at, double *u)
 {
-  const double along = dot(at.v, at.del) / (at.r * at.r);
+  const double inverse = 1.0 / at.r, along = dot(at.v, at.del) * inverse * inverse;
   for (int k = 0; k < 3; k++) u[k] = at.v[k] - along * at.del[k];
   if (!SPIN) return;
   u[0] -= at.spin[1] * at.del[2] - at.spin[2] * at.del[1];

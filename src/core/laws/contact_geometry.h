@@ -26,7 +26,7 @@ struct ContactGeometry {
   POTDEM_FUNCTION double dbar() const { return ri + rj; }    // mean diameter
   POTDEM_FUNCTION double effective_radius() const
   {
-    return ri * rj / (ri + rj);
+    return ri * rj * (1.0 / (ri + rj));
   }    // d*/2 of eq. 5.15
 };
 

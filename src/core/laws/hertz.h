@@ -37,11 +37,11 @@ inline double shear_ratio(double Ei, double nui, double Ej, double nuj)
   return 4.0 / (compliance * contact_modulus(Ei, nui, Ej, nuj));
 }
 
-// w^(3/2) law with prefactor K
-POTDEM_FUNCTION inline Evaluation hertz(double w, double K)
+// root: sqrt(R w)
+POTDEM_FUNCTION inline Evaluation hertz(double w, double root, double modulus)
 {
-  const double root = std::sqrt(w);
-  return {0.4 * K * w * w * root, K * w * root, 1.5 * K * root};
+  const double secant = 4.0 / 3.0 * modulus * root, force = secant * w;
+  return {0.4 * force * w, force, 1.5 * secant};
 }
 
 struct Hertz {
@@ -88,8 +88,8 @@ struct Hertz {
     template <class Geometry>
     POTDEM_FUNCTION Evaluation evaluate(double r, const Geometry &at) const
     {
-      const double w = at.contact - r;
-      return hertz(w > 0.0 ? w : 0.0, 4.0 / 3.0 * modulus * std::sqrt(at.effective_radius()));
+      const double apart = at.contact - r, w = apart > 0.0 ? apart : 0.0;
+      return hertz(w, std::sqrt(at.effective_radius() * w), modulus);
     }
   };
 

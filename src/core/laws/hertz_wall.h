@@ -74,14 +74,15 @@ struct HertzWall {
     // w >= 0
     POTDEM_FUNCTION Evaluation at_overlap(double w, double ri) const
     {
-      const double gamma = layer * ri, K = 4.0 / 3.0 * modulus * std::sqrt(ri);
-      auto found = hertz(w, K);
+      const double gamma = layer * ri;
+      auto found = hertz(w, std::sqrt(ri * w), modulus);
       if (w < gamma) {
         const double chi = root(w / gamma);
         return {found.energy * chi * layer_share(), found.force * chi,
                 found.stiffness * chi * (1.0 + 1.0 / (1.5 * m))};
       }
-      if (gamma > 0.0) found.energy -= hertz(gamma, K).energy * (1.0 - layer_share());
+      if (gamma > 0.0)
+        found.energy -= hertz(gamma, std::sqrt(ri * gamma), modulus).energy * (1.0 - layer_share());
       return found;
     }
 

@@ -36,6 +36,8 @@ struct Mindlin : public RemembersSlip<Mindlin> {
     return {{}, std::fmin(a.mu, b.mu), 0.5 * (a.xi + b.xi)};
   }
 
+  POTDEM_FUNCTION Mindlin undamped() const { return {{}, mu, 0.0}; }
+
   POTDEM_FUNCTION double stiffness(const Slide &at) const { return at.shear_ratio * at.stiffness; }
 };
 

@@ -97,6 +97,11 @@ template <class Tangential> struct Rolls : public Tangential {
   static constexpr int SLIDING_STATE = Tangential::STATE,
                        STATE = SLIDING_STATE + RollingResistance::STATE;
 
+  template <class Law = Tangential>
+  POTDEM_FUNCTION auto undamped() const -> decltype(Rolls{Law().undamped(), {}})
+  {
+    return {Tangential::undamped(), resistance};
+  }
   POTDEM_FUNCTION void turn(double *state) const
   {
     if constexpr (SLIDING_STATE > 0) Tangential::turn(state);

@@ -12,6 +12,7 @@
      energy(state)                      (if STATE > 0) what can be had back
      viscosity(slide)                   the largest force over the velocity of the surface, for the critical step
      stiffness(slide)                   (if STATE > 0) the largest force over its displacement, likewise
+     undamped()                         (if it has a dashpot, of the fraction xi) the law with xi = 0, of which the compiler knows it
      needs_shear_ratio                  (if so) it is for normal laws that know the shear modulus: Kernel has shear_ratio */
 
 #ifndef POTDEM_SLIDE_H

@@ -152,6 +152,8 @@ struct TangentialSpring : public RemembersSlip<TangentialSpring> {
             0.5 * (a.xi + b.xi)};
   }
 
+  POTDEM_FUNCTION TangentialSpring undamped() const { return {{}, mu, ratio, 0.0}; }
+
   POTDEM_FUNCTION double stiffness(const Slide &at) const { return ratio * at.stiffness; }
 };
 
