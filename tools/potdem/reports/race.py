@@ -5,8 +5,8 @@
 
   tools/report race [--short] [--case NAME] [--keep FOLDER]
 
-Two cases of M. Dosta and others, Computer Physics Communications 296, 2024, 109066, at a size for one core: a silo that discharges, a ball
-that strikes a bed. POTDEM, LAMMPS's pair_style granular and YADE, if it is installed, run each from the same packing with the same laws, on
+Two cases of M. Dosta and others, Computer Physics Communications 296, 2024, 109066, at a size for one core: a silo that discharges, with
+two materials, and a ball that strikes a bed. POTDEM, LAMMPS's pair_style granular and YADE, if it is installed, run each from the same packing with the same laws, on
 one core and on two. Writes race.md and race.csv and, for each case, race-<case>.png and race-<case>.csv to docs/report/, or with
 --short, few steps, and --case, one of them, to build/report/. --keep: where packings, logs and outcomes stay; what is there already
 is not run again."""
@@ -29,7 +29,7 @@ import numpy as np  # noqa: E402
 
 from potdem.paths import ROOT  # noqa: E402
 from potdem.reports import writing  # noqa: E402
-from potdem.reports.race_programs import PROGRAMS, Outcome, missing_yade, settle  # noqa: E402
+from potdem.reports.race_programs import MATERIALS, PROGRAMS, Material, Outcome, missing_yade, settle  # noqa: E402
 
 WHOLE, OTHER_LISTS, ON_TWO = "one core", "other lists", "two cores"    # runs of a program
 PART = 0.1                                                           # of the time, on two cores
@@ -38,14 +38,15 @@ COLOURS = {"POTDEM": "#c23b22", "LAMMPS granular": "#1f6fb4", "YADE": "#3a8f3a"}
 
 @dataclass
 class Case:
-    """variables: of the script, for every run; settling: those of the runs that make the packing, one after the other; column: of the
+    """bulk: silo or ball; material: of the grains; variables: of the script, for every run; settling: those of the runs that make the packing, one after the other; column: of the
     thermo output; every: s between two rows; curve: values -> what is drawn, called quantity and measured in unit; grains: their
     number at the start; skin: of the scripts' neighbour lists, m"""
 
     name: str
     title: str
     text: str
-    script: str
+    bulk: str
+    material: Material
     column: str
     every: float
     variables: dict
@@ -57,8 +58,12 @@ class Case:
     skin: float
     found: dict = field(default_factory=dict)    # (program, run) -> Outcome
 
+    @property
+    def script(self):
+        return f"in.{self.bulk}"
 
-SILO_TEXT = """{grains} grains (M1) of radius 2 mm in a silo of radius 100 mm, with a funnel that is 70 mm high and ends in an outlet of
+
+SILO_TEXT = """{grains} grains ({material}) of radius 2 mm in a silo of radius 100 mm, with a funnel that is 70 mm high and ends in an outlet of
 radius 30 mm; the lid on the outlet is gone at the start, and {time} s follow. The moduli of grains and steel are divided by {softer},
 and the step is {dt} s in place of 1.5·10⁻⁶ s: with the moduli as they are, the same time would take {times} times as many steps.
 *Curve*: grains above the outlet."""
@@ -67,14 +72,14 @@ BALL_TEXT = """A ball of steel, radius 10 mm, meets the top of a bed of {grains}
 moduli as they are, step {dt} s, the first {time} s. *Curve*: how far the ball has come since it was at the highest grain's level."""
 
 
-def silo(short):
+def silo(short, name="silo", material="M1"):
     variables = {"softer": 100, "dt": 2.5e-5, "time": 0.1, "most": 20000}
     settling = [{"stage": "settle", "time": 0.35}]
     if short:
         variables, settling = {**variables, "time": 0.02, "most": 2000}, [{"stage": "settle", "time": 0.1}]
-    text = SILO_TEXT.format(**variables, grains=variables["most"], times=round(variables["dt"] / 1.5e-6))
-    return Case("silo", "A silo discharges", text, "in.silo", "c_inside", 0.005, variables, settling, lambda values: values,
-                "in the silo", "grains", variables["most"], 1e-3)
+    text = SILO_TEXT.format(**variables, grains=variables["most"], times=round(variables["dt"] / 1.5e-6), material=material)
+    return Case(name, f"A silo discharges {material}", text, "silo", MATERIALS[material], "c_inside", 0.005, variables, settling,
+                lambda values: values, "in the silo", "grains", variables["most"], 1e-3)
 
 
 def ball(short):
@@ -85,11 +90,15 @@ def ball(short):
         variables = {**variables, "time": 0.002, "most": 1000}
         settling[1:] = [{**stage, "time": 0.003} for stage in settling[1:]]
     text = BALL_TEXT.format(**variables, grains=variables["most"])
-    return Case("ball", "A ball strikes a bed", text, "in.ball", "v_z", 0.0002, variables, settling, lambda z: 1e3 * (z[0] - z),
-                "depth", "mm", variables["most"], 5e-4)
+    return Case("ball", "A ball strikes a bed of M1", text, "ball", MATERIALS["M1"], "v_z", 0.0002, variables, settling,
+                lambda z: 1e3 * (z[0] - z), "depth", "mm", variables["most"], 5e-4)
 
 
-CASES = {"silo": silo, "ball": ball}
+def silo_of_m2(short):
+    return silo(short, "silo-m2", "M2")
+
+
+CASES = {"silo": silo, "silo-m2": silo_of_m2, "ball": ball}
 
 INTRODUCTION = """# The field's own race
 
@@ -97,8 +106,8 @@ Made by `tools/report race{options}`; nothing here is written by hand. Two of th
 open-source DEM frameworks for simulations of common bulk processes*, Computer Physics Communications 296, 2024, 109066, at a size
 that one core runs in minutes.
 
-Materials are the paper's: M1 1 GPa, 0.2, 2500 kg/m³; steel 210 GPa, 0.2, 7200 kg/m³; restitution 0.5 between grains, 0.4 with
-steel; friction 0.3 and 0.2. All programs have Hertz's and Mindlin's contact, the dashpots $2\\beta\\sqrt{{m^*K}}$ and
+Materials are the paper's: grains M1 1 GPa, 0.2, 2500 kg/m³, restitution 0.5, friction 0.3; grains M2 0.5 GPa, 0.2, 2000 kg/m³,
+restitution 0.4, friction 0.4; steel 210 GPa, 0.2, 7200 kg/m³; of grains and steel restitution 0.4, friction 0.2. All programs have Hertz's and Mindlin's contact, the dashpots $2\\beta\\sqrt{{m^*K}}$ and
 $2\\beta\\sqrt{{m^*k_t}}$ of that restitution, no attraction as grains part, and Coulomb's limit. They read one packing, which POTDEM
 has let settle; contacts begin without friction. The meshes and packings of the paper were not at hand: outlet, box, ball and
 numbers of grains are ours.
@@ -170,7 +179,7 @@ def nanoseconds(case, name, run):
     """for a grain and a step: of a processor, on two cores of the clock"""
     found = case.found[name, run]
     steps = found.time[-1] / case.variables["dt"]
-    there = np.mean(found.values) if case.name == "silo" else case.grains
+    there = np.mean(found.values) if case.bulk == "silo" else case.grains
     return 1e9 * (found.clock if run == ON_TWO else found.processor) / steps / there
 
 
@@ -241,7 +250,7 @@ def page(options, cases, rows, machine):
     load = f"{min(loads):.1f} to {max(loads):.1f} processes{shared}"
     clock = sum(found.clock for case in cases for found in case.found.values()) / 60
     about = [*machine, ("load over the runs", load), ("all steps took", f"{clock:.0f} minutes of the clock")]
-    skins = " and ".join(f"{1e3 * case.skin:g} mm ({case.name})" for case in cases)
+    skins = " and ".join(f"{1e3 * skin:g} mm ({bulk})" for bulk, skin in {case.bulk: case.skin for case in cases}.items())
     parts = [INTRODUCTION.format(options=options), writing.table(("machine", ""), about), missing_yade(), "## In short",
              "\n".join(line for case in cases for line in in_short(case)), writing.table(HEADER, rows), "Data: [race.csv](race.csv).",
              *(section(case) for case in cases), DIFFERENCES.format(skins=skins)]

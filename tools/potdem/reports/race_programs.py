@@ -18,10 +18,27 @@ from scipy.optimize import brentq
 from potdem import running
 
 INPUTS = Path(__file__).resolve().parent / "race_inputs"
-RESTITUTION, RESTITUTION_STEEL = 0.5, 0.4    # of grains, of a grain and steel
-POISSON = 0.2                                # of both
+POISSON = 0.2                                # of grains and steel
 SHEAR = 2 * (1 - POISSON) / (2 - POISSON)    # tangential over normal stiffness
 YADE_PACKAGE = "yade"
+
+
+@dataclass(frozen=True)
+class Material:
+    """of grains: modulus in Pa, density in kg/m^3, restitution and friction of grains, restitution of a grain and steel"""
+
+    modulus: float
+    density: float
+    e: float
+    mu: float
+    e_steel: float
+
+    def variables(self):
+        """of in.laws, in.silo and in.ball"""
+        return {"modulus": self.modulus, "density": self.density, "e": self.e, "mu": self.mu, "e_steel": self.e_steel}
+
+
+MATERIALS = {"M1": Material(1e9, 2500, 0.5, 0.3, 0.4), "M2": Material(0.5e9, 2000, 0.4, 0.4, 0.4)}
 
 
 @dataclass
@@ -56,12 +73,12 @@ def with_attraction(zeta):
     return float(np.exp(-np.pi * zeta / np.sqrt(1 - zeta * zeta)))
 
 
-def law_variables():
+def law_variables(material):
     """of in.laws. The tangential dashpot is 2 beta sqrt(m k_t) with the beta of the normal one, 2 beta sqrt(m k_n), as in YADE:
     beta = zeta sqrt(5/6). POTDEM's xi counts the mass at the surface, 2/7 m; LAMMPS's xt multiplies the normal dashpot"""
-    grains, steel = damping_of(RESTITUTION), damping_of(RESTITUTION_STEEL)
+    grains, steel = damping_of(material.e), damping_of(material.e_steel)
     surface = np.sqrt(5 / 6 * 7 / 2)
-    return {"laws": INPUTS / "in.laws", "e": RESTITUTION, "e_steel": RESTITUTION_STEEL, "xi": grains * surface, "xi_steel": steel * surface,
+    return {"laws": INPUTS / "in.laws", **material.variables(), "xi": grains * surface, "xi_steel": steel * surface,
             "fitted": with_attraction(grains), "fitted_steel": with_attraction(steel), "xt": np.sqrt(SHEAR)}
 
 
@@ -70,7 +87,7 @@ def law_variables():
 def lammps(style):
     """a program that is LAMMPS with one of the styles of in.laws"""
     def run(case, packing, cores, folder):
-        variables = {**law_variables(), **case.variables, "stage": "run", "style": style, "packing": packing}
+        variables = {**law_variables(case.material), **case.variables, "stage": "run", "style": style, "packing": packing}
         done = running.must_run(INPUTS / case.script, variables, folder, nprocs=cores, log="log.race")
         clock = sum(map(float, re.findall(r"^Loop time of (\S+)", done.stdout, re.MULTILINE)))
         return Outcome(done.thermo["Time"], done.thermo[case.column], clock, done.loop_cpu)
@@ -81,8 +98,8 @@ def lammps(style):
 def yade(case, packing, cores, folder):
     folder.mkdir(parents=True, exist_ok=True)
     curve, values = folder / "curve.csv", case.variables
-    arguments = ["yade", "-n", "-x", f"-j{cores}", INPUTS / "yade_race.py", case.name, packing, values["softer"], values["dt"],
-                 values["time"], case.every, curve]
+    arguments = ["yade", "-n", "-x", f"-j{cores}", INPUTS / "yade_race.py", case.bulk, packing, values["softer"], values["dt"],
+                 values["time"], case.every, *case.material.variables().values(), curve]
     done = subprocess.run([str(word) for word in arguments], cwd=folder, capture_output=True, text=True, check=False,
                           stdin=subprocess.DEVNULL)
     told = re.search(r"^SECONDS (\S+) (\S+)", done.stdout, re.MULTILINE)
@@ -103,5 +120,5 @@ PROGRAMS = {"POTDEM": lammps("potdem"), "LAMMPS granular": lammps("granular"), "
 def settle(case, packing):
     """makes the packing, with POTDEM"""
     for number, stage in enumerate(case.settling):
-        variables = {**law_variables(), **case.variables, "style": "potdem", "packing": packing, **stage}
+        variables = {**law_variables(case.material), **case.variables, "style": "potdem", "packing": packing, **stage}
         running.must_run(INPUTS / case.script, variables, packing.parent, log=f"log.settle-{number}")

@@ -3,10 +3,11 @@
 
 """The two cases of the race in YADE, which runs this file:
 
-  yade -n -x -j CORES yade_race.py CASE PACKING SOFTER DT TIME EVERY OUT
+  yade -n -x -j CORES yade_race.py CASE PACKING SOFTER DT TIME EVERY MODULUS DENSITY E MU E_STEEL OUT
 
 CASE: silo or ball; PACKING: the data file that in.silo or in.ball wrote; SOFTER: what both moduli are divided by; TIME: s;
-EVERY: s between two rows of OUT, a CSV file of the time and of the grains in the silo or the height of the ball. Prints what
+EVERY: s between two rows of OUT, a CSV file of the time and of the grains in the silo or the height of the ball; MODULUS to
+E_STEEL: of the grains, in SI, with restitution and friction among them and restitution with steel. Prints what
 the steps alone took, in seconds of the clock and of the processor."""
 
 import sys
@@ -26,16 +27,16 @@ SPEED = 5.0
 VERLET = 0.1                                              # how far boxes reach beyond a grain, over its radius: as in YADE's own scripts
 
 
-def materials(softer):
-    for modulus, density in ((1e9, 2500), (210e9, 7200)):
+def materials(softer, grains):
+    for modulus, density in (grains, (210e9, 7200)):
         O.materials.append(FrictMat(young=modulus / softer, poisson=0.2, density=density))
 
 
-def engines():
+def engines(e, mu, e_steel):
     """friction and restitution of grains with grains, grains with steel, steel with steel"""
     pairs = ((GRAINS, GRAINS), (GRAINS, STEEL), (STEEL, STEEL))
-    friction = MatchMaker(matches=[(*pair, atan(mu)) for pair, mu in zip(pairs, (0.3, 0.2, 0.2))])
-    restitution = MatchMaker(matches=[(*pair, e) for pair, e in zip(pairs, (0.5, 0.4, 0.4))])
+    friction = MatchMaker(matches=[(*pair, atan(one)) for pair, one in zip(pairs, (mu, 0.2, 0.2))])
+    restitution = MatchMaker(matches=[(*pair, one) for pair, one in zip(pairs, (e, e_steel, e_steel))])
     return [
         ForceResetter(),
         InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Facet_Aabb()], verletDist=-VERLET),
@@ -93,14 +94,15 @@ def grains_inside(grains):
     return sum(body.state.pos[2] > -DEEP for body in grains)
 
 
-def main(case, packing, softer, dt, duration, every, out):
-    materials(float(softer))
+def main(case, packing, softer, dt, duration, every, *grains, out):
+    modulus, density, *contact = map(float, grains)
+    materials(float(softer), (modulus, density))
     O.bodies.append(silo() if case == "silo" else box())
     bodies = [O.bodies[number] for number in O.bodies.append(spheres(packing))]
     ball = next((body for body in bodies if body.mat.id == STEEL), None)
     if case == "ball":
         ball.state.vel = (0, 0, -SPEED)
-    O.engines, O.dt = engines(), float(dt)
+    O.engines, O.dt = engines(*contact), float(dt)
     chunk, wall, cpu = round(float(every) / O.dt), 0.0, 0.0
     with open(out, "w", encoding="ascii") as file:
         for k in range(round(float(duration) / O.dt / chunk) + 1):
@@ -113,4 +115,4 @@ def main(case, packing, softer, dt, duration, every, out):
     print(f"SECONDS {wall:.6g} {cpu:.6g} STEPS {O.iter} CONTACTS {O.interactions.countReal()}")
 
 
-main(*sys.argv[1:])
+main(*sys.argv[1:-1], out=sys.argv[-1])
