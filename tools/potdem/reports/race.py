@@ -6,10 +6,10 @@
   tools/report race [--short] [--case NAME] [--keep FOLDER]
 
 Two cases of M. Dosta and others, Computer Physics Communications 296, 2024, 109066, at a size for one core: a silo that discharges, with
-two materials, and a ball that strikes a bed. POTDEM, LAMMPS's pair_style granular and YADE, if it is installed, run each from the same packing with the same laws, on
-one core and on two. Writes race.md and race.csv and, for each case, race-<case>.png and race-<case>.csv to docs/report/, or with
---short, few steps, and --case, one of them, to build/report/. --keep: where packings, logs and outcomes stay; what is there already
-is not run again."""
+two materials, and a ball that strikes a bed. POTDEM, LAMMPS's pair_style granular and YADE, if it is installed, run each from the same
+packing with the same laws, on one core and on two. Writes race.md and race.csv and, for each case, race-<case>.png and race-<case>.csv to
+docs/report/, or with --short, few steps, and --case, one of them, to build/report/. --keep: where packings, logs and outcomes stay; what is
+there already is not run again."""
 
 import argparse
 import dataclasses
@@ -38,9 +38,9 @@ COLOURS = {"POTDEM": "#c23b22", "LAMMPS granular": "#1f6fb4", "YADE": "#3a8f3a"}
 
 @dataclass
 class Case:
-    """bulk: silo or ball; material: of the grains; variables: of the script, for every run; settling: those of the runs that make the packing, one after the other; column: of the
-    thermo output; every: s between two rows; curve: values -> what is drawn, called quantity and measured in unit; grains: their
-    number at the start; skin: of the scripts' neighbour lists, m"""
+    """bulk: silo or ball; material: of the grains; variables: of the script, for every run; settling: those of the runs that make the
+    packing, one after the other; column: of the thermo output; every: s between two rows; curve: values -> what is drawn, called
+    quantity and measured in unit; grains: their number at the start; skin: of the scripts' neighbour lists, m"""
 
     name: str
     title: str
@@ -107,9 +107,9 @@ open-source DEM frameworks for simulations of common bulk processes*, Computer P
 that one core runs in minutes.
 
 Materials are the paper's: grains M1 1 GPa, 0.2, 2500 kg/m³, restitution 0.5, friction 0.3; grains M2 0.5 GPa, 0.2, 2000 kg/m³,
-restitution 0.4, friction 0.4; steel 210 GPa, 0.2, 7200 kg/m³; of grains and steel restitution 0.4, friction 0.2. All programs have Hertz's and Mindlin's contact, the dashpots $2\\beta\\sqrt{{m^*K}}$ and
-$2\\beta\\sqrt{{m^*k_t}}$ of that restitution, no attraction as grains part, and Coulomb's limit. They read one packing, which POTDEM
-has let settle; contacts begin without friction. The meshes and packings of the paper were not at hand: outlet, box, ball and
+restitution 0.4, friction 0.4; steel 210 GPa, 0.2, 7200 kg/m³; of grains and steel restitution 0.4, friction 0.2. All programs have
+Hertz's and Mindlin's contact, the dashpots $2\\beta\\sqrt{{m^*K}}$ and $2\\beta\\sqrt{{m^*k_t}}$ of that restitution, no
+attraction as grains part, and Coulomb's limit. They read one packing, which POTDEM has let settle; contacts begin without friction. The meshes and packings of the paper were not at hand: outlet, box, ball and
 numbers of grains are ours.
 
 *One core*: processor seconds of the steps alone, without reading and set-up; *ns*: over steps and grains that are still there.
