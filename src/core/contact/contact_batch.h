@@ -12,39 +12,10 @@
 #define POTDEM_CONTACT_BATCH_H
 
 #include "core/contact/contact.h"
+#include "core/contact/width.h"
 #include "core/laws/contact_geometry.h"
 
-// widths for which there is code: __builtin_cpu_supports() says at run time which will do
-#if defined(__x86_64__) && defined(__GNUC__)
-#define POTDEM_WIDE_CODE 1
-#define POTDEM_AVX2 __attribute__((target("avx2")))
-#define POTDEM_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
-#endif
-
 namespace POTDEM {
-
-enum class Width { PLAIN, AVX2, AVX512 };
-
-inline Width widest()
-{
-#ifdef POTDEM_WIDE_CODE
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    return Width::AVX512;
-  if (__builtin_cpu_supports("avx2")) return Width::AVX2;
-#endif
-  return Width::PLAIN;
-}
-
-// has this law no branches? A law that says nothing has some
-template <class Law> constexpr auto is_wide(int) -> decltype(Law::wide)
-{
-  return Law::wide;
-}
-template <class Law> constexpr bool is_wide(long)
-{
-  return false;
-}
 
 // has this law of friction a dashpot that may be none?
 template <class Law>

@@ -47,7 +47,8 @@ class Penetration {
   const double *tabulated() const { return table; }
   void use(const double *copy) { table = copy; }
 
-  POTDEM_FUNCTION double value(double x) const
+  // of one number or of four
+  template <class Number> POTDEM_FUNCTION Number value(const Number &x) const
   {
     return scale * (1.0 + 2.0 / (power(1.0 + x) - 1.0));
   }
@@ -103,10 +104,10 @@ class Penetration {
     return nodal;
   }
 
-  POTDEM_FUNCTION double power(double y) const
+  template <class Number> POTDEM_FUNCTION Number power(const Number &y) const
   {
-    double p = 1.0;
-    for (int k = 0; k < m; k++) p *= y;
+    Number p = y;
+    for (int k = 1; k < m; k++) p *= y;
     return p;
   }
 

@@ -27,10 +27,11 @@ struct Strength {
     return strength;
   }
 
-  // scale: the strength of this bond over the mean (strength_scatter.h)
-  POTDEM_FUNCTION bool reached_by(double load, double scale) const
+  // of one bond, or each of four; scale: the strength of this bond over the mean (strength_scatter.h)
+  template <class Number, class Scale>
+  POTDEM_FUNCTION auto reached_by(const Number &load, const Scale &scale) const
   {
-    return load >= scale * tension || load <= scale * compression;
+    return (load >= scale * tension) | (load <= scale * compression);
   }
 };
 

@@ -21,6 +21,7 @@
 #include "coefficients.h"
 #include "device.h"
 #include "evaluation.h"
+#include "four.h"
 #include "penetration.h"
 
 #include <cmath>
@@ -42,7 +43,7 @@ POTDEM_FUNCTION inline double truss_strain(double q)
 
 struct Truss {
   static constexpr int STATE = 0;
-  static constexpr bool optional_penetration = true;
+  static constexpr bool optional_penetration = true, wide = true;
 
   double E, m, normalized;    // m = 0: no non-penetration factor
 
@@ -57,11 +58,13 @@ struct Truss {
     bool has_penetration = false;
     Penetration factor;
 
-    // 2 c eps, the stress over E/2, from q = (r/re)^2. PENETRATION: some bond type has the factor
-    template <bool PENETRATION = true>
-    POTDEM_FUNCTION double load(double q, double * /*state*/ = nullptr) const
+    // 2 c eps, the stress over E/2, from q = (r/re)^2, of one bond or of four. PENETRATION: some bond type has the factor
+    template <bool PENETRATION = true, class Number>
+    POTDEM_FUNCTION Number load(const Number &q, double * /*state*/ = nullptr) const
     {
-      return PENETRATION && has_penetration ? load(q, factor.value(std::sqrt(q))) : q - 1.0;
+      if constexpr (PENETRATION)
+        if (has_penetration) return (q - 1.0) * factor.value(square_root(q));
+      return q - 1.0;
     }
 
     // modulus: A E; re: reference length
@@ -73,12 +76,9 @@ struct Truss {
         return {modulus * re * dx * dx * (x + 2.0) / 6.0, -0.5 * modulus * load<false>(q),
                 modulus * x / re};
       const double c = factor.value(x);
-      return {modulus * re * factor.integral(x), -0.5 * modulus * load(q, c),
+      return {modulus * re * factor.integral(x), -0.5 * modulus * (q - 1.0) * c,
               modulus / re * (c * x + factor.slope(x) * truss_strain(q))};
     }
-
-   private:
-    POTDEM_FUNCTION static double load(double q, double c) { return (q - 1.0) * c; }
   };
 
   Kernel kernel() const

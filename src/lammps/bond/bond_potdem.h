@@ -9,8 +9,11 @@
 #ifndef LMP_BOND_POTDEM_H
 #define LMP_BOND_POTDEM_H
 
+#include "core/contact/width.h"
+#include "core/laws/four.h"
 #include "core/laws/law_list.h"
 #include "lammps/bond/bond_potdem_base.h"
+#include "lammps/output/fix_potdem_monitor.h"
 
 #include <vector>
 
@@ -45,7 +48,32 @@ template <class Law> class BondPotdem : public BondPotdemBase {
   template <bool PENETRATION> void choose();
   template <bool PENETRATION, bool DAMP> void choose();
   template <int FAIL, bool PENETRATION, bool DAMP> void choose();
+  template <bool EV, int FAIL, bool PENETRATION, bool DAMP> Loop loop_for_machine();
+
+  // what the loop reads and where its forces go
+  struct Inputs {
+    const double (*x)[3], (*v)[3];
+    const int *partner, *type;
+    const double *inverse_length2, *half_modulus, *dashpot, *scale;
+    const POTDEM::Strength *strength;
+    const typename Law::Kernel *kernel;
+    double (*f)[3];
+
+    Inputs(BondPotdem &, double **forces);
+  };
+  static constexpr double CRUSHED = FixPotdemMonitor::CRUSHED * FixPotdemMonitor::CRUSHED;
+
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop(ThreadShare &);
+  template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop_over(ThreadShare &);
+  template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
+  bool take(const Inputs &, ThreadShare &, int i, int n, int ghosts, double *force);
+#ifdef POTDEM_WIDE_CODE
+  template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop_avx2(ThreadShare &);
+#endif
+#ifdef POTDEM_HAS_FOUR
+  template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
+  bool take_four(const Inputs &, const ThreadShare &, int i, int n, int ghosts, POTDEM::Four3 &sum);
+#endif
   double energy_at(int n, double q, const double *state) const;    // q: (r/re)^2
 };
 

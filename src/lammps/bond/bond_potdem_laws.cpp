@@ -88,8 +88,19 @@ template <class Law> template <bool PENETRATION, bool DAMP> void BondPotdem<Law>
 
 template <class Law> template <int FAIL, bool PENETRATION, bool DAMP> void BondPotdem<Law>::choose()
 {
-  quiet = &BondPotdem::template loop<false, FAIL, PENETRATION, DAMP>;
-  tallied = &BondPotdem::template loop<true, FAIL, PENETRATION, DAMP>;
+  quiet = loop_for_machine<false, FAIL, PENETRATION, DAMP>();
+  tallied = loop_for_machine<true, FAIL, PENETRATION, DAMP>();
+}
+
+template <class Law>
+template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
+typename BondPotdem<Law>::Loop BondPotdem<Law>::loop_for_machine()
+{
+#ifdef POTDEM_WIDE_CODE
+  if (POTDEM::widest() != POTDEM::Width::PLAIN)
+    return &BondPotdem::template loop_avx2<EV, FAIL, PENETRATION, DAMP>;
+#endif
+  return &BondPotdem::template loop<EV, FAIL, PENETRATION, DAMP>;
 }
 
 #define POTDEM_INSTANTIATE(name, Law) template class LAMMPS_NS::BondPotdem<POTDEM::Law>;
