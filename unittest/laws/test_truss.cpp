@@ -63,6 +63,15 @@ TEST(Truss, LoadIsStressOverHalfTheModulus)
     }
 }
 
+TEST(Truss, FourLoadsHaveTheBitsOfOne)
+{
+  for (const int m : {0, 1, 4}) {
+    const auto kernel = truss(m, false);
+    const Four q{0.81, 0.998, 1.02, 1.44}, load = kernel.load(q);
+    for (int k = 0; k < 4; k++) EXPECT_EQ(load[k], kernel.load(q[k]));
+  }
+}
+
 TEST(Truss, EnergyForceAndStiffnessBelongTogether)
 {
   for (const double x : stretches)

@@ -26,6 +26,7 @@
 #include "tangential_spring.h"
 
 #include <cmath>
+#include <utility>
 
 namespace POTDEM {
 
@@ -97,8 +98,8 @@ template <class Tangential> struct Rolls : public Tangential {
   static constexpr int SLIDING_STATE = Tangential::STATE,
                        STATE = SLIDING_STATE + RollingResistance::STATE;
 
-  template <class Law = Tangential>
-  POTDEM_FUNCTION auto undamped() const -> decltype(Rolls{Law().undamped(), {}})
+  template <class Law = Tangential, class = decltype(std::declval<Law>().undamped())>
+  POTDEM_FUNCTION Rolls undamped() const
   {
     return {Tangential::undamped(), resistance};
   }

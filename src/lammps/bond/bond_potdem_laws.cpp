@@ -8,6 +8,7 @@
 #include "lammps/bond/bond_potdem.h"
 
 #include "lammps/bond/bond_potdem_loop.h"
+#include "lammps/glue/potdem_width.h"
 
 #include "domain.h"
 
@@ -97,7 +98,7 @@ template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
 typename BondPotdem<Law>::Loop BondPotdem<Law>::loop_for_machine()
 {
 #ifdef POTDEM_WIDE_CODE
-  if (POTDEM::widest() != POTDEM::Width::PLAIN)
+  if (potdem_width(lmp) != POTDEM::Width::PLAIN)
     return &BondPotdem::template loop_avx2<EV, FAIL, PENETRATION, DAMP>;
 #endif
   return &BondPotdem::template loop<EV, FAIL, PENETRATION, DAMP>;

@@ -10,6 +10,7 @@
 
 #include "lammps/glue/potdem_law_io.h"
 #include "lammps/glue/potdem_material_file.h"
+#include "lammps/glue/potdem_width.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/pair/pair_potdem.h"
 
@@ -28,7 +29,7 @@ namespace LAMMPS_NS {
 template <class Law>
 PairPotdem<Law>::PairPotdem(LAMMPS *lmp) :
     PairPotdemBase(lmp), of_style(potdem_default_rate<Law>()), kernel_known(false), sliding(false),
-    viscous(false), width(POTDEM::widest()), monitored_step(0.0)
+    viscous(false), width(potdem_width(lmp)), monitored_step(0.0)
 {
   writedata = 1;
   single_enable = 1;
