@@ -37,13 +37,15 @@ get_target_property(POTDEM_LAMMPS_INCLUDES lammps INCLUDE_DIRECTORIES)
 # nobody reads errno or traps, so that loops may become vector instructions; every width gives the same bits, so no fused operations
 set(POTDEM_FLOATING_POINT -fno-math-errno -fno-trapping-math -ffp-contract=off)
 
+# vectors of four numbers are only passed between functions that are inlined
+set(POTDEM_WARNINGS -Wall -Wextra -Wno-psabi)
+
 # what a source of this package is compiled with, in liblammps and in the plugin alike
 function(potdem_compile_settings target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_include_directories(${target} SYSTEM PRIVATE ${POTDEM_LAMMPS_INCLUDES})
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
-  # vectors of four numbers are only passed between functions that are inlined
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-psabi)
+  target_compile_options(${target} PRIVATE ${POTDEM_WARNINGS})
   target_compile_options(${target} PRIVATE ${POTDEM_FLOATING_POINT})
   target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
   if(BUILD_MPI)
