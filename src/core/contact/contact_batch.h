@@ -12,8 +12,8 @@
 #define POTDEM_CONTACT_BATCH_H
 
 #include "core/contact/contact.h"
-#include "core/contact/width.h"
 #include "core/laws/contact_geometry.h"
+#include "core/laws/width.h"
 
 namespace POTDEM {
 

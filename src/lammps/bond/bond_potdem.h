@@ -9,9 +9,9 @@
 #ifndef LMP_BOND_POTDEM_H
 #define LMP_BOND_POTDEM_H
 
-#include "core/contact/width.h"
 #include "core/laws/four.h"
 #include "core/laws/law_list.h"
+#include "core/laws/width.h"
 #include "lammps/bond/bond_potdem_base.h"
 #include "lammps/output/fix_potdem_monitor.h"
 

@@ -9,7 +9,7 @@
 #ifndef LMP_POTDEM_WIDTH_H
 #define LMP_POTDEM_WIDTH_H
 
-#include "core/contact/width.h"
+#include "core/laws/width.h"
 
 namespace LAMMPS_NS {
 
