@@ -38,7 +38,8 @@ def contrast(number, folder_of, position, text, thesis, also):
     """also: what else must be true of a run at 5 m/s"""
     slow, fast = (outcomes(folder_of, f"{position}-{speed}") for speed in (3, 5))
     measured = (f"3 m/s: clamped section {held(slow)}, {between([run.hit for run in slow])} bonds broken near the block; "
-                f"5 m/s: {held(fast)}, {between([run.hit for run in fast])}, the beam ends at {between([run.stump for run in fast], '{:.2f}')} L")
+                f"5 m/s: {held(fast)}, {between([run.hit for run in fast])}, "
+                f"what is on the wall ends at {between([run.stump for run in fast], '{:.2f}')} L")
     verdicts = [a.clamp_parts and a.hit and not b.clamp_parts and b.hit and also(b) for a, b in zip(slow, fast)]
     return Claim(number, text, thesis, measured, of_draws(map(bool, verdicts)))
 
@@ -71,7 +72,7 @@ def unbroken(folder_of):
 
 def cracked(folder_of):
     crack, whole = (outcomes(folder_of, variant) for variant in ("i-5-crack", "i-5"))
-    measured = (f"cracked: the beam ends at {between([run.stump for run in crack], '{:.2f}')} L (crack: 0.10 L); "
+    measured = (f"cracked: what is on the wall ends at {between([run.stump for run in crack], '{:.2f}')} L (crack: 0.10 L); "
                 f"uncracked: at {between([run.stump for run in whole], '{:.2f}')} L")
     return Claim("5", "beam-impact, crack, 5 m/s: parts in two at the crack, unlike the uncracked beam", "parts", measured,
                  of_draws(a.parts_at_crack and not b.clamp_parts for a, b in zip(crack, whole)))
