@@ -28,17 +28,19 @@ def between(values, form="{}"):
     return ends[0] if ends[0] == ends[1] else " to ".join(ends)
 
 
-def held(runs, parts="parts", holds="holds"):
-    """'parts', 'holds', or how many of the draws part"""
+def clamp(runs):
+    """'parts', 'holds', or in how many of the draws it parts"""
     count = sum(run.clamp_parts for run in runs)
-    return {0: holds, len(runs): parts}.get(count, f"{parts} in {count} of {len(runs)} draws")
+    if count in (0, len(runs)):
+        return "parts" if count else "holds"
+    return f"parts in {count} of {len(runs)} draws"
 
 
 def contrast(number, folder_of, position, text, thesis, also):
     """also: what else must be true of a run at 5 m/s"""
     slow, fast = (outcomes(folder_of, f"{position}-{speed}") for speed in (3, 5))
-    measured = (f"3 m/s: clamped section {held(slow)}, {between([run.hit for run in slow])} bonds broken near the block; "
-                f"5 m/s: {held(fast)}, {between([run.hit for run in fast])}, "
+    measured = (f"3 m/s: clamped section {clamp(slow)}, {between([run.hit for run in slow])} bonds broken near the block; "
+                f"5 m/s: {clamp(fast)}, {between([run.hit for run in fast])}, "
                 f"what is on the wall ends at {between([run.stump for run in fast], '{:.2f}')} L")
     verdicts = [a.clamp_parts and a.hit and not b.clamp_parts and b.hit and also(b) for a, b in zip(slow, fast)]
     return Claim(number, text, thesis, measured, of_draws(map(bool, verdicts)))
