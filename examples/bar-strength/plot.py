@@ -7,10 +7,7 @@ against strain until then, for a run (build/examples/bar-strength/<variant>.np<r
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
-from matplotlib import pyplot
-from matplotlib.colors import Normalize
 
 from potdem import dumps, picture
 from potdem.scenes.scene import beside
@@ -18,36 +15,34 @@ from potdem.scenes.scene import beside
 strengths = beside(__file__, "strengths")
 
 LARGER = 60    # times the motion is shown
-SCALE, COLOURS = Normalize(-0.5, 0.5), matplotlib.colormaps["coolwarm"]
+SCALE = picture.Scale("stress", -0.5, 0.5, "axial stress over $f_t$", extend="both")
 
 
 def draw(axis, start, end, strength):
     points = {k: start[k] + LARGER * (end[k] - start[k]) for k in "xyz"}
-    stress = -end["c_virial[1]"] / end["mass"] / strength
-    picture.spheres(axis, np.column_stack(list(points.values())), end["radius"], COLOURS(SCALE(-stress)), turn=0.0)
-    axis.set_aspect("equal")
+    stress = end["c_virial[1]"] / end["mass"] / strength
+    picture.spheres(axis, np.column_stack(list(points.values())), end["radius"], SCALE(stress), *picture.FRONT)
+    picture.length_bar(axis, (0, points["y"].min(), points["z"].min() - 2), 5, text="5 $d$")
+    axis.set(aspect="equal", xlim=(points["x"].min() - 1, points["x"].max() + 1), ylim=(points["z"].min() - 4.5, points["z"].max() + 2.5))
     axis.axis("off")
-    axis.margins(0.05)
-    axis.autoscale_view()
 
 
 def main(folder, path):
     log = next(Path(folder).glob("log*"))
     given, _, peak, _, curve = strengths.measured(log)
     start, end = dumps.read(Path(folder) / "dump.bar-strength")
-    figure, (top, bottom) = pyplot.subplots(2, 1, figsize=(9, 6), height_ratios=[1, 1.6], layout="constrained")
+    figure, ((top,), (bottom,)) = picture.curves(2, 1, 3.0, height_ratios=[1.1, 1])
     draw(top, start, end, float(given["ft"]))
-    figure.colorbar(matplotlib.cm.ScalarMappable(SCALE, COLOURS), ax=top, label="axial stress over $f_t$", shrink=0.9)
-    bottom.plot(*curve, color="#20516e")
-    bottom.plot(curve[0][-1], peak, "o", color="#d1495b", label=f"strength {peak:.3f} $f_t$")
+    SCALE.bar(figure, top)
+    bottom.plot(*curve, color=picture.INK)
+    bottom.plot(curve[0][-1], peak, "o", color=picture.POINT, label=f"strength {peak:.3f} $f_t$")
     expected = strengths.formula(given)
     if expected:
         bottom.axhline(expected, color="black", lw=1, ls="--", label=f"by the bonds' directions: {expected:.3f} $f_t$")
     bottom.set(xlabel=r"strain $\times\,E/f_t$", ylabel="stress over $f_t$", ylim=(0.5, 1.25))
-    bottom.spines[["top", "right"]].set_visible(False)
-    bottom.legend(frameon=False, loc="lower right")
-    top.set_title(f"{strengths.variant(log)}: the bar has parted (motion {LARGER} times enlarged)")
-    figure.savefig(path, dpi=100)
+    bottom.legend(loc="lower right")
+    top.set_title(f"{strengths.words(strengths.variant(log))}: the bar has parted (motion {LARGER} times enlarged)")
+    picture.save(figure, path)
 
 
 if __name__ == "__main__":

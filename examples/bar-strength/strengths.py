@@ -73,30 +73,35 @@ def report(paths):
             print(f"| {name}, {reach} | {low:.2f} | {mean:.2f} | {high:.2f} |")
 
 
-def draw(paths, picture):
-    import matplotlib
+def words(name):
+    """what a variant is"""
+    _, _, rest = name.rpartition("wide-")
+    packing, _, along = rest.partition("-")
+    what = {"sc": "cubic", "random": "random packing"}.get(packing, packing)
+    direction = {"": "", "a": ", in a layer, along", "b": ", in a layer, across", "c": ", normal to the layers"}.get(along, f" [{along}]")
+    return what + direction + (", 10 d wide" if name.startswith("wide") else "")
 
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+
+def draw(paths, path):
+    from potdem import picture
 
     groups = {"along an axis": ("sc-100", "fcc-100", "bcc-100", "hcp-a", "hcp-b", "hcp-c"),
               "along a diagonal, and random": ("sc-110", "sc-111", "fcc-110", "fcc-111", "bcc-110", "bcc-111", "random"),
               "along [111], 6 d and 10 d wide": ("sc-111", "wide-sc-111", "fcc-111", "wide-fcc-111")}
     curves = {variant(log): measured(log)[4] for log in paths}
-    figure, axes = pyplot.subplots(1, 3, figsize=(14, 4.4), sharey=True, layout="constrained")
+    figure, (axes,) = picture.curves(1, 3, 5.0, sharey=True)
     for axis, (title, names) in zip(axes, groups.items()):
         axis.axhspan(0.98, 1.02, color="#e4eadf", zorder=0)
         axis.axhline(1, color="black", lw=0.8)
-        for name in names:
+        for name, colour in zip(names, picture.CURVES):
             strain, stress = curves[name]
-            (line,) = axis.plot(strain, stress, lw=1.4, label=f"{name}: {stress[-1]:.3f}")
-            axis.plot(strain[-1], stress[-1], "o", color=line.get_color(), ms=5)
+            axis.plot(strain, stress, color=colour, label=f"{words(name)}: {stress[-1]:.3f}")
+            axis.plot(strain[-1], stress[-1], "o", color=colour, ms=5)
         axis.set(title=title, xlabel=r"strain $\times\,E/f_t$", xlim=(0.6, 1.02), ylim=(0.55, 1.05))
-        axis.spines[["top", "right"]].set_visible(False)
-        axis.legend(frameon=False, loc="lower right", fontsize=9, title="largest stress over $f_t$")
+        axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), title="largest stress over $f_t$", title_fontsize=picture.FONT - 2)
     axes[0].set_ylabel("stress of the middle third over $f_t$")
-    axes[0].text(0.61, 1.022, r"$f_t\pm2\,\%$", va="bottom", fontsize=9)
-    figure.savefig(picture, dpi=100)
+    axes[0].text(0.61, 1.022, r"$f_t\pm2\,\%$", va="bottom", fontsize=picture.FONT - 2)
+    picture.save(figure, path)
 
 
 if __name__ == "__main__":

@@ -6,35 +6,29 @@ horizontal velocity; a column for each folder of a run (build/examples/column-dr
 
 import sys
 
-import matplotlib
-import numpy as np
-from matplotlib.colors import Normalize
-
 from potdem import picture
 
 RELEASED = 1.2                      # s, the left wall is gone
-INSTANTS = (1.2, 1.4, 1.6, 2.7)     # s
-SCALE, COLOURS = Normalize(-1.5, 0.0), matplotlib.colormaps["viridis"]
-LEFT, RIGHT, TOP = -1.0, 0.28, 0.48    # m, what is seen
+INSTANTS = (0.0, 0.2, 0.4, 1.5)     # s after that
+SCALE = picture.Scale("speed", 0.0, 1.5, "velocity to the left, m/s", extend="both")
+LEFT, RIGHT, BELOW, TOP = -1.0, 0.28, -0.075, 0.48    # m, what is seen
 
 
 def draw(axis, frame):
-    axis.fill([LEFT, RIGHT, RIGHT, LEFT], [-0.015, -0.015, 0.0, 0.0], color="#b9c7b4", linewidth=0, zorder=-2)
-    points = np.column_stack([frame["x"], frame["y"], frame["z"]])
-    picture.spheres(axis, points, frame["radius"], COLOURS(SCALE(frame["vx"])), turn=0.0, tilt=0.0)
-    axis.set_xlim(LEFT, RIGHT)
-    axis.set_ylim(-0.02, TOP)
+    picture.block(axis, LEFT, RIGHT, -0.015, 0.0)
+    picture.particles(axis, frame, SCALE(-frame["vx"]), picture.FRONT)
 
 
-FILM = picture.Film("dump.column-drop", draw, SCALE, COLOURS, "horizontal velocity, m/s (to the left)", 5.4, 2.3)
+def words(variables):
+    return f"diameters 18 ± {1e3 * float(variables['sd']):.3g} mm"
+
+
+FILM = picture.Film("dump.column-drop", draw, SCALE, (LEFT, RIGHT, BELOW, TOP), (0.2, (LEFT + 0.02, 0, -0.03)), words=words, zero=RELEASED)
 
 
 def main(*arguments):
     *folders, path = arguments
-    figure = FILM.at_instants(folders, INSTANTS,
-                              lambda variant, instant: (0.02, 0.95, f"{variant}\n{instant - RELEASED:g} s after the wall is gone"),
-                              shrink=0.5, pad=0.02, extend="both")
-    figure.savefig(path, dpi=90)
+    picture.save(FILM.at_instants(folders, INSTANTS)[0], path)
 
 
 if __name__ == "__main__":

@@ -7,19 +7,15 @@ formula. Ends with an error where LAMMPS and the formula differ by more than the
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-from potdem import formulas, logs  # noqa: E402
+from potdem import formulas, logs, picture
+from potdem.picture import GUIDE, INK, POINT
 
 TOLERANCE = 1e-10
 # first derivative, central, of eighth order
 STENCIL = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
 SHOWN = 40                      # points in a panel
-INK, POINT, GUIDE = "#20516e", "#d1495b", "#9aa5ad"
 QUANTITIES = ((r"energy $\Phi$", "mJ", 1e3), ("force $F$, > 0 repels", "N", 1.0), ("stiffness $K$", "kN/m", 1e-3))
 
 
@@ -70,8 +66,7 @@ def draw(axis, law, which, r, found):
     margin = 0.07 * (top - values.min())
     axis.set_ylim(values.min() - margin, top + margin)
     axis.set_xlabel(law.axis)
-    axis.set_ylabel(f"{label}  [{unit}]")
-    axis.spines[["top", "right"]].set_visible(False)
+    axis.set_ylabel(f"{label}, {unit}")
 
 
 def main(folder, path):
@@ -84,14 +79,13 @@ def main(folder, path):
     functions = (law.phi, law.force, law.stiffness)
     worst = [deviation(*pair) for pair in zip(found, [function(r) for function in functions])]
 
-    pyplot.rcParams.update({"font.size": 10, "axes.titlesize": 10})
-    figure, axes = pyplot.subplots(1, 3, figsize=(11, 3.5), layout="constrained")
+    figure, (axes,) = picture.curves(1, 3, 3.4)
     for which, axis in enumerate(axes):
         draw(axis, law, which, r, found[which])
-        axis.set_title(f"largest relative deviation {worst[which]:.1e}", color="#555555")
-    axes[0].legend(frameon=False)
-    figure.suptitle(law.title, fontsize=13)
-    figure.savefig(path, dpi=90)
+        axis.set_title(f"deviation at most {worst[which]:.0e}", fontsize=picture.FONT - 1, color=picture.STEEL)
+    axes[0].legend()
+    figure.suptitle(law.title)
+    picture.save(figure, path)
 
     print(f"\n{name}: largest relative deviation from the formula over {r.size} distances: energy {worst[0]:.1e}, "
           f"force {worst[1]:.1e}, stiffness (differences of forces) {worst[2]:.1e}")

@@ -8,21 +8,17 @@ that should be exact is not."""
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-from potdem import dumps, logs  # noqa: E402
-from potdem.scenes.scene import beside  # noqa: E402
+from potdem import dumps, logs, picture
+from potdem.picture import INK, POINT
+from potdem.scenes.scene import beside
 
 solutions = beside(__file__, "solutions")
 
 EXACT = 1e-5      # uniform shear: loads of 1e-6 on a law that is linear to first order
 KIRSCH = 0.05     # of the stress, from two spacings off the hole on
 HELD = 3          # layers at the rim of the plate
-INK, POINT = "#20516e", "#d1495b"
 
 
 def at_rest(coordinates):
@@ -43,7 +39,7 @@ def displacements(axis, solution, frame):
     axis.plot(places, 1e6 * expected, color=INK, label="exact")
     axis.plot(places, 1e6 * moved, "o", ms=4, mfc="none", mec=POINT, label="LAMMPS, mean of the layer")
     axis.set_xlabel(f"${solution.across}\\,/\\,d$")
-    axis.set_ylabel(f"displacement along ${solution.moved}$  [$10^{{-6}}\\,d$]")
+    axis.set_ylabel(f"displacement along ${solution.moved}$, $10^{{-6}}\\,d$")
     return np.abs(moved - expected).max() / np.abs(expected).max()
 
 
@@ -55,16 +51,17 @@ def radius_of_same_area(frame, hole_radius):
 def hole(figure, frame, hole_radius, small):
     """the field of the stress, and its course along the section through the hole"""
     radius = radius_of_same_area(frame, hole_radius)
-    field, course = figure.subplots(1, 2, width_ratios=[1.15, 1])
+    field, course = figure.subplots(1, 2, width_ratios=[1.2, 1])
     stress = frame["c_stress[1]"] / small
     free = 3 * hole_radius - HELD
     layer = (np.abs(frame["z"] - 0.5) < 0.1) & (np.maximum(np.abs(frame["x"]), np.abs(frame["y"])) < free)
-    shown = field.scatter(frame["x"][layer], frame["y"][layer], c=stress[layer], s=17, cmap="viridis", vmin=-1, vmax=3,
+    shown = field.scatter(frame["x"][layer], frame["y"][layer], c=stress[layer], s=14, cmap=picture.MAPS["stress"], vmin=-3, vmax=3,
                           linewidths=0)
     field.set_aspect("equal")
     field.set_xlabel("$x\\,/\\,d$")
     field.set_ylabel("$y\\,/\\,d$")
-    figure.colorbar(shown, ax=field, label=r"stress $\sigma_{xx}$ over the tension")
+    bar = figure.colorbar(shown, ax=field, label=r"$\sigma_{xx}$ over the tension", shrink=0.8)
+    bar.ax.set_ylim(-1, 3)
 
     section = (np.abs(frame["x"]) < 0.7) & (frame["y"] > 0) & (frame["y"] < free)
     y, found = layers({"y": frame["y"][section]}, "y", stress[section])
@@ -84,7 +81,7 @@ def main(folder, path):
     body = given.pop("body")
     values = {name: float(value) for name, value in given.items()}
     frame = dumps.read(folder / "dump.elastic-statics")[-1]
-    figure = pyplot.figure(figsize=(11 if body == "hole" else 6, 4.2), layout="constrained")
+    figure = picture.plt.figure(figsize=(picture.WIDTH if body == "hole" else 6, 3.8), layout="constrained")
     if body == "hole":
         worst, axis = hole(figure, frame, values["hole"], values["small"])
         limit = KIRSCH
@@ -95,9 +92,8 @@ def main(folder, path):
         worst = max(worst, abs(logs.read_thermo(log)["v_ratio"][-1] - 1))
         axis.set_title(solution.title)
         limit = EXACT if body == "shear" else np.inf
-    axis.spines[["top", "right"]].set_visible(False)
-    axis.legend(frameon=False)
-    figure.savefig(path, dpi=100)
+    axis.legend()
+    picture.save(figure, path)
     print(f"{body}: largest relative deviation from the exact answer {worst:.1e}")
     if not worst < limit:
         sys.exit(f"{body}: LAMMPS and the exact answer differ by more than {limit:g}")

@@ -9,13 +9,9 @@ than the tolerance."""
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-from potdem import lattices, logs, networks  # noqa: E402
+from potdem import lattices, logs, networks, picture
 
 TOLERANCE = 1e-5    # strains are up to 1e-6, and a truss is linear only to first order
 NAMES = {"sc": "cubic", "fcc": "close-packed (fcc)"}
@@ -61,7 +57,7 @@ class Result:
 def staircase(axis, lattice, column):
     """exact values; the area factor jumps where a shell of neighbours joins"""
     values = np.array([lattices.infinite(lattice, reach)[column] for reach in FINE])
-    axis.plot(2 * FINE, values, color=INK[lattice], lw=1.4, label=f"exact, infinite {NAMES[lattice]} lattice")
+    axis.plot(2 * FINE, values, color=INK[lattice], lw=1.4, label=f"exact, infinite {NAMES[lattice]}")
 
 
 def areas(axis, lattice, results):
@@ -91,17 +87,15 @@ def ratios(axis, results):
 def main(*arguments):
     *folders, path = arguments
     results = [Result(folder) for folder in folders]
-    pyplot.rcParams.update({"font.size": 10, "axes.titlesize": 11})
-    figure, axes = pyplot.subplots(1, 3, figsize=(14, 4.4), layout="constrained")
+    figure, (axes,) = picture.curves(1, 3, 4.2)
     for axis, lattice in zip(axes, NAMES):
         areas(axis, lattice, [result for result in results if result.lattice == lattice])
     ratios(axes[2], results)
     for axis in axes:
         axis.set_xlim(2.75, 5.15)
         axis.set_xlabel(r"$r_{\mathrm{infl}}\,/\,r$")
-        axis.spines[["top", "right"]].set_visible(False)
-        axis.legend(frameon=False, fontsize=8)
-    figure.savefig(path, dpi=100)
+        axis.legend(fontsize=picture.FONT - 3)
+    picture.save(figure, path)
 
     worst = [result.deviation() for result in results]
     for result, value in zip(results, worst):

@@ -44,6 +44,6 @@ def read_run(folder, name):
     return frames
 
 
-def at(frames, instant):
-    """the frame nearest to an instant"""
-    return min(frames, key=lambda frame: abs(frame["time"] - instant))
+def at(frames, instant, by="time"):
+    """the frame nearest to an instant, or to another value that each frame has"""
+    return min(frames, key=lambda frame: abs(frame[by] - instant))

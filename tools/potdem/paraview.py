@@ -8,14 +8,15 @@ import json
 
 import numpy as np
 
-NOT_A_VALUE = ("time", "x", "y", "z")
+PLACE = ("x", "y", "z")
 
 
 def _text(frame):
     points = np.column_stack([frame["x"], frame["y"], frame["z"]])
     count = len(points)
     cells = np.column_stack([np.ones(count, dtype=int), np.arange(count)])
-    values = {name: column for name, column in frame.items() if name not in NOT_A_VALUE}
+    # what the whole frame has, such as its time, is no value of a particle
+    values = {name: column for name, column in frame.items() if name not in PLACE and np.ndim(column)}
     parts = ["# vtk DataFile Version 3.0", f"time {frame['time']:g}", "ASCII", "DATASET POLYDATA", f"POINTS {count} double",
              _rows(points), f"VERTICES {count} {2 * count}", _rows(cells), f"POINT_DATA {count}"]
     for name, column in values.items():

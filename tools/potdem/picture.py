@@ -1,8 +1,11 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Draws particles as shaded spheres, seen along a slanted direction, coloured by a value of each; pictures and animations."""
+"""The pictures of all scenes in one style: particles as shaded spheres, seen along a slanted direction, coloured by a value of each;
+curves; animations. Pictures have one width and one size of letters, so that they look alike side by side on a page."""
 
+import io
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -13,17 +16,97 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.animation import FuncAnimation, PillowWriter  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
-from matplotlib.colors import Colormap, Normalize  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # noqa: E402
+from PIL import Image, features  # noqa: E402
 
 from potdem import dumps  # noqa: E402
+from potdem.scenes import scene as scenes  # noqa: E402
+
+WIDTH, DPI = 9.5, 100          # inches, of a picture
+FONT = 11                      # points
+FRAMES_PER_SECOND = 20
+plt.rcParams.update({"font.size": FONT, "axes.titlesize": FONT, "axes.labelsize": FONT, "legend.fontsize": FONT - 2,
+                     "xtick.labelsize": FONT - 1, "ytick.labelsize": FONT - 1, "figure.titlesize": FONT + 2, "legend.frameon": False,
+                     "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.5, "savefig.dpi": DPI, "figure.dpi": DPI})
+
+
+def _between(*colours):
+    return LinearSegmentedColormap.from_list("", colours)
+
+
+def _part(name, low, high):
+    """a colour map without its ends, where the shades of a sphere are lost"""
+    return LinearSegmentedColormap.from_list(name, matplotlib.colormaps[name](np.linspace(low, high, 256)))
+
+
+# what a colour stands for, in every scene
+MAPS = {"strain": matplotlib.colormaps["coolwarm"], "stress": matplotlib.colormaps["coolwarm"], "velocity": _between("#41237a", "#a394cf", "#dedbd5", "#e9ac5e", "#95500e"),
+        "speed": _part("YlGnBu", 0.12, 0.95), "way": _part("RdPu", 0.1, 0.95), "damage": _part("YlOrRd", 0.08, 0.95)}
+BODY, GRAINS, LOOSE = to_rgba("#8a8f98"), to_rgba("#b9b4aa"), to_rgba("#c9b458")    # a body that only hits, a bed, debris
+WALL, FLOOR, STEEL = "#b9c2c9", "#e7e3dc", "#555555"
+INK, POINT, GUIDE = "#20516e", "#d1495b", "#9aa5ad"    # formula, LAMMPS, what helps the eye
+CURVES = ("#d1495b", "#3b7dd8", "#2a9d5c", "#8d6cab", "#b5651d", "#4b4b4b", "#d08c2e", "#6fb1b5")
+# particles in pieces of that many
+PIECES = {"100 and more": "#4a5568", "10 to 99": "#8aa0bd", "2 to 9": "#e6b566", "single": "#c4553b"}
 
 # shells of one sphere, from its rim to its highlight: size, offset towards the light, share of white
 SHELLS = [(1.00, 0.00, -0.35), (0.93, 0.03, -0.12), (0.80, 0.10, 0.0), (0.60, 0.19, 0.12), (0.38, 0.27, 0.26),
           (0.18, 0.34, 0.45)]
 LIGHT = np.array([-0.5, 0.75])
-FRAMES_PER_SECOND, ANIMATION_DPI = 20, 100
+PALETTE = Image.Quantize.LIBIMAGEQUANT if features.check("libimagequant") else Image.Quantize.MEDIANCUT
+SLANTED, FRONT = (-24.0, 16.0), (0.0, 0.0)    # degrees: turn about z, tilt
+
+
+# --- words ------------------------------------------------------------------------------------------------------------
+
+def time_words(seconds):
+    return f"{1e3 * seconds:.3g} ms" if 0 < seconds < 0.01 else f"{seconds:.3g} s"
+
+
+def length_words(metres):
+    factor, unit = (1.0, "m") if metres >= 1 else (1e2, "cm") if metres >= 0.01 else (1e3, "mm")
+    return f"{factor * metres:.3g} {unit}"
+
+
+def settings(folder):
+    """the values (text) that the variables of the script had in the run in build/examples/<scene>/<variant>.np<ranks>: those of the
+    variant and, of the others, what the script itself sets; none of another folder"""
+    folder = Path(folder).resolve()
+    try:
+        variant = scenes.Scene(folder.parent.name).variant(folder.name.rsplit(".np", 1)[0])
+    except scenes.SceneError:
+        return {}
+    script = (variant.scene.folder / variant.scene.script).read_text(encoding="utf-8")
+    own = dict(re.findall(r"^variable +(\w+) +index +(\S+)", script, re.MULTILINE))
+    return {**own, **{name: str(value) for name, value in variant.variables.items()}}
+
+
+# --- bodies -----------------------------------------------------------------------------------------------------------
+
+@dataclass
+class Scale:
+    """values of a kind (see MAPS) between low and high, as colours; extend: the ends whose colours stand for all beyond, as of a
+    colour bar"""
+
+    kind: str
+    low: float
+    high: float
+    label: str
+    extend: str = "neither"
+
+    @property
+    def limits(self):
+        return Normalize(self.low, self.high)
+
+    def __call__(self, values):
+        return MAPS[self.kind](self.limits(values))
+
+    def bar(self, figure, axes, **more):
+        """the colours with their values, below the axes"""
+        shown = matplotlib.cm.ScalarMappable(self.limits, MAPS[self.kind])
+        figure.colorbar(shown, ax=list(np.ravel(axes)), label=self.label, extend=self.extend,
+                        **{"orientation": "horizontal", "shrink": 0.5, "aspect": 40, "pad": 0.03, **more})
 
 
 def view(points, turn, tilt):
@@ -41,7 +124,7 @@ def _shade(colours, white):
     return shaded
 
 
-def spheres(axes, points, radii, colours, turn=-24.0, tilt=16.0):
+def spheres(axes, points, radii, colours, turn=SLANTED[0], tilt=SLANTED[1]):
     """one collection for all: the shells of a sphere follow each other, the far spheres come first"""
     seen = view(points, turn, tilt)
     order = np.argsort(-seen[:, 2])
@@ -53,13 +136,31 @@ def spheres(axes, points, radii, colours, turn=-24.0, tilt=16.0):
                                           transOffset=axes.transData, facecolors=faces, edgecolors="none"))
 
 
-def floor(axes, corners, turn=-24.0, tilt=16.0):
+def particles(axes, frame, colours, direction=SLANTED):
+    """the particles of a frame of a dump"""
+    spheres(axes, np.column_stack([frame["x"], frame["y"], frame["z"]]), frame["radius"], colours, *direction)
+
+
+def floor(axes, corners, turn=SLANTED[0], tilt=SLANTED[1]):
     seen = view(np.asarray(corners, dtype=float), turn, tilt)
-    axes.fill(seen[:, 0], seen[:, 1], color="#e7e3dc", zorder=-2, linewidth=0)
+    axes.fill(seen[:, 0], seen[:, 1], color=FLOOR, zorder=-2, linewidth=0)
+
+
+def block(axes, left, right, low, high, colour=WALL, layer=-2):
+    """a wall seen from the front"""
+    axes.fill([left, right, right, left], [low, low, high, high], color=colour, linewidth=0, zorder=layer)
+
+
+def length_bar(axes, start, length, direction=FRONT, text=None):
+    """a bar of that length (m) along x from the place `start`, with its length in words, or another text"""
+    ends = view(np.array([start, np.add(start, (length, 0, 0))], dtype=float), *direction)[:, :2]
+    axes.plot(*ends.T, color="black", linewidth=2.5, solid_capstyle="butt", zorder=6)
+    axes.annotate(text or length_words(length), ends.mean(axis=0), xytext=(0, -3), textcoords="offset points", ha="center", va="top",
+                  fontsize=FONT - 1, zorder=6)
 
 
 def panels(rows, columns, width=7.0, height=3.2):
-    """figure and its array of panels, without axes: lengths are to scale"""
+    """figure and its array of panels of that size in inches, without axes: lengths are to scale"""
     figure, axes = plt.subplots(rows, columns, figsize=(width * columns, height * rows + 0.9), squeeze=False,
                                 constrained_layout=True)
     for panel in axes.ravel():
@@ -70,52 +171,137 @@ def panels(rows, columns, width=7.0, height=3.2):
 
 @dataclass
 class Film:
-    """how a scene shows a frame of its dump: draw(axis, frame) fills a panel of the given size in inches; its colours are
-    those of `scale`d values called `label`"""
+    """how a scene shows a frame of its dump: draw(axis, frame) fills a panel, its colours are those of `scale`"""
 
     dump: str
     draw: Callable
-    scale: Normalize
-    colours: Colormap
-    label: str
-    width: float = 7.0
-    height: float = 3.2
+    scale: Scale
+    window: tuple               # left, right, low, high: what is seen, m
+    bar: tuple                  # the length that is shown, m, and the place (x, y, z) where it starts
+    direction: tuple = FRONT
+    words: "Callable | None" = None    # words(variables of a run, see settings): what it is
+    zero: float = 0.0           # s, when the scene's time starts
+    width: float = WIDTH        # inches, of a picture with several runs
+    by: str = "time"            # what the instants are values of
 
     def frames(self, folder):
         return dumps.read_run(folder, self.dump)
 
-    def panels(self, rows, columns):
-        return panels(rows, columns, self.width, self.height)
+    def name(self, folder):
+        """what the run in a folder is, in words"""
+        variables = settings(folder)
+        return self.words(variables) if self.words and variables else Path(folder).resolve().name
 
-    def colour_bar(self, figure, axes, **settings):
-        bar = figure.colorbar(matplotlib.cm.ScalarMappable(self.scale, self.colours), ax=list(axes), orientation="horizontal",
-                              **settings)
-        bar.set_label(self.label)
+    def title(self, frame):
+        return time_words(frame["time"] - self.zero)
 
-    def at_instants(self, folders, instants, label, by_rows=False, **bar):
-        """figure of some runs at some instants, a column (or row) for each run, with the bar of the colours; label(variant, instant):
-        (x, y, text) in a panel"""
-        figure, axes = self.panels(*((len(folders), len(instants)) if by_rows else (len(instants), len(folders))))
-        for line, folder in zip(axes if by_rows else axes.T, folders):
-            frames, variant = self.frames(folder), Path(folder).resolve().name.split(".")[0]
-            for axis, instant in zip(line, instants):
-                self.draw(axis, dumps.at(frames, instant))
-                axis.text(*label(variant, instant), transform=axis.transAxes, fontsize=11, va="top")
-        self.colour_bar(figure, axes.ravel(), **bar)
+    def panels(self, rows, columns, below=()):
+        """figure, its panels, and a row of axes for curves for each height (inches) in `below`"""
+        left, right, low, high = self.window
+        width = min(self.width, 5.0 * columns)
+        height = width / columns * (high - low) / (right - left) + 0.25
+        figure = plt.figure(figsize=(width, rows * height + sum(below) + 1.0), layout="constrained")
+        axes = figure.subplots(rows + len(below), columns, squeeze=False, height_ratios=[*[height] * rows, *below])
+        for panel in axes[:rows].ravel():
+            panel.axis("off")
+        return figure, axes[:rows], axes[rows:]
+
+    def show(self, axis, frame):
+        """a frame in a panel, with its time and a length"""
+        axis.set(xlim=self.window[:2], ylim=self.window[2:], aspect="equal")
+        self.draw(axis, frame)
+        length_bar(axis, self.bar[1], self.bar[0], self.direction)
+        axis.set_title(self.title(frame), loc="left", pad=2)
+
+    def _reaches(self, frames, instant):
+        """to half the distance of frames"""
+        return instant + self.zero <= 1.5 * frames[-1][self.by] - 0.5 * frames[-2][self.by]
+
+    def column(self, column, frames, instants):
+        """frames at instants, one below the other; a run may end before the last of them"""
+        for axis, instant in zip(column, instants):
+            if self._reaches(frames, instant):
+                self.show(axis, dumps.at(frames, instant + self.zero, self.by))
+            else:
+                axis.text(0.5, 0.5, f"the run ends at {self.title(frames[-1])}", transform=axis.transAxes, ha="center", color=GUIDE)
+
+    def at_instants(self, folders, instants, below=()):
+        """figure of some runs at some instants: a column for each run, a row for each instant, and axes for curves below each column
+        (see panels). Rows that no run reaches are left out. The instants of a single run come side by side."""
+        runs = [self.frames(folder) for folder in folders]
+        instants = [instant for instant in instants if any(self._reaches(frames, instant) for frames in runs)]
+        if len(folders) == 1 and not below:
+            return self._one_run(folders[0], runs[0], instants), None
+        figure, axes, curves_below = self.panels(len(instants), len(folders), below)
+        for column, folder, frames in zip(axes.T, folders, runs):
+            self.column(column, frames, instants)
+            header(column[0], self.name(folder))
+        self.scale.bar(figure, axes)
+        return figure, curves_below
+
+    def _one_run(self, folder, frames, instants):
+        left, right, low, high = self.window
+        columns = 2 if right - left > high - low and len(instants) != 3 else len(instants)
+        figure, axes, _ = self.panels(-(-len(instants) // columns), columns)
+        self.column(axes.ravel(), frames, instants)
+        figure.suptitle(self.name(folder))
+        self.scale.bar(figure, axes)
         return figure
 
     def animate(self, folder, path):
         """all frames of a run"""
-        figure, axes = self.panels(1, 1)
-        axis = axes[0, 0]
-        self.colour_bar(figure, [axis], shrink=0.8, pad=0.02)
+        figure, ((axis,),), _ = self.panels(1, 1)
+        self.scale.bar(figure, axis)
+        figure.suptitle(self.name(folder))
+        frames = self.frames(folder)
 
-        def show(frame):
+        def show(i):
             axis.clear()
             axis.axis("off")
-            axis.set_aspect("equal")
-            self.draw(axis, frame)
-            axis.set_title(f"t = {frame['time']:.3f} s", fontsize=11, loc="left")
+            self.show(axis, frames[i])
 
-        FuncAnimation(figure, show, self.frames(folder)).save(path, writer=PillowWriter(FRAMES_PER_SECOND), dpi=ANIMATION_DPI)
-        plt.close(figure)
+        gif(figure, show, len(frames), path)
+
+
+def header(axis, text):
+    """over a panel and its title"""
+    axis.set_title(f"{text}\n", loc="center", fontsize=FONT + 1)
+
+
+# --- curves -----------------------------------------------------------------------------------------------------------
+
+def curves(rows, columns, height, **more):
+    """figure and its array of axes, of that height in inches"""
+    return plt.subplots(rows, columns, figsize=(WIDTH, rows * height), squeeze=False, layout="constrained", **more)
+
+
+def ordered(count):
+    """colours of curves that follow each other, such as of growing speeds"""
+    return matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, count))
+
+
+# --- files ------------------------------------------------------------------------------------------------------------
+
+def save(figure, path):
+    """as PNG with a palette, which takes a third of the space"""
+    whole = io.BytesIO()
+    figure.savefig(whole, format="png", facecolor="white")
+    plt.close(figure)
+    Image.open(whole).convert("RGB").quantize(256, PALETTE, dither=Image.Dither.NONE).save(path, format="png", optimize=True)
+
+
+def gif(figure, show, count, path, colours=128):
+    """show(0), ... show(count - 1) fill the figure, each for a frame; one palette for all, made from eight of them"""
+    images = []
+    show(0)
+    figure.canvas.draw()
+    figure.set_layout_engine("none")    # panels stay where they are
+    for i in range(count):
+        show(i)
+        figure.canvas.draw()
+        images.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
+    plt.close(figure)
+    sample = np.concatenate([np.asarray(image) for image in images[:: -(-count // 8)]])
+    palette = Image.fromarray(sample).quantize(colours, PALETTE)
+    images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    images[0].save(path, save_all=True, append_images=images[1:], duration=1000 // FRAMES_PER_SECOND, loop=0, optimize=True)

@@ -79,14 +79,12 @@ after
 """
 
 FILM = PLOT + """
-import matplotlib
-from matplotlib.colors import Normalize
 from potdem import picture
 
 def draw(axis, frame):
     axis.plot(frame["x"], frame["y"], "o")
 
-FILM = picture.Film("dump.flight", draw, Normalize(0, 1), matplotlib.colormaps["turbo"], "nothing, m", 2.0, 2.0)
+FILM = picture.Film("dump.flight", draw, picture.Scale("way", 0, 1, "nothing, m"), (0, 4, 0, 4), (1, (0, 0, 0)))
 """
 
 
