@@ -12,7 +12,7 @@ from matplotlib.patches import Circle
 from potdem import picture
 
 WAVE = 1.2e-4                            # s after the impact, Fig. 6.12a
-INSTANTS = (0.045, 0.125, 0.195, 0.5)    # s, of Fig. 6.13 (0.125 and 0.5) and of Fig. 6.14, whose times include 0.405 s of fall
+INSTANTS = (0.045, 0.125, 0.195, 0.25)   # s, of Fig. 6.13 (0.125 and 0.25) and of Fig. 6.14, whose times include 0.405 s of fall
 SUPPORTS, RADIUS = (-0.595, 0.595), 0.05    # m
 DAMAGE = picture.Scale("damage", 0.0, 1.0, "share of bonds lost (grey: hammer)")
 SPEED = picture.Scale("velocity", -1.0, 1.0, "vertical velocity, m/s", extend="both")

@@ -18,6 +18,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # noqa: E402
+from matplotlib.patheffects import withStroke  # noqa: E402
 from PIL import Image, features  # noqa: E402
 
 from potdem import dumps  # noqa: E402
@@ -28,7 +29,8 @@ FONT = 11                      # points
 FRAMES_PER_SECOND = 20
 plt.rcParams.update({"font.size": FONT, "axes.titlesize": FONT, "axes.labelsize": FONT, "legend.fontsize": FONT - 2,
                      "xtick.labelsize": FONT - 1, "ytick.labelsize": FONT - 1, "figure.titlesize": FONT + 2, "legend.frameon": False,
-                     "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.5, "savefig.dpi": DPI, "figure.dpi": DPI})
+                     "figure.constrained_layout.h_pad": 0.06, "figure.constrained_layout.w_pad": 0.06, "lines.linewidth": 1.5,
+                     "axes.spines.top": False, "axes.spines.right": False, "savefig.dpi": DPI, "figure.dpi": DPI})
 
 
 def _between(*colours):
@@ -154,9 +156,10 @@ def block(axes, left, right, low, high, colour=WALL, layer=-2):
 def length_bar(axes, start, length, direction=FRONT, text=None):
     """a bar of that length (m) along x from the place `start`, with its length in words, or another text"""
     ends = view(np.array([start, np.add(start, (length, 0, 0))], dtype=float), *direction)[:, :2]
+    halo = [withStroke(linewidth=2.5, foreground="white")]    # particles may fly past
     axes.plot(*ends.T, color="black", linewidth=2.5, solid_capstyle="butt", zorder=6)
     axes.annotate(text or length_words(length), ends.mean(axis=0), xytext=(0, -3), textcoords="offset points", ha="center", va="top",
-                  fontsize=FONT - 1, zorder=6)
+                  fontsize=FONT - 1, path_effects=halo, zorder=6)
 
 
 def panels(rows, columns, width=7.0, height=3.2):
@@ -207,7 +210,9 @@ class Film:
         return figure, axes[:rows], axes[rows:]
 
     def show(self, axis, frame):
-        """a frame in a panel, with its time and a length"""
+        """a frame in a panel, instead of what was there, with its time and a length"""
+        axis.clear()
+        axis.axis("off")
         axis.set(xlim=self.window[:2], ylim=self.window[2:], aspect="equal")
         self.draw(axis, frame)
         length_bar(axis, self.bar[1], self.bar[0], self.direction)
@@ -255,12 +260,7 @@ class Film:
         figure.suptitle(self.name(folder))
         frames = self.frames(folder)
 
-        def show(i):
-            axis.clear()
-            axis.axis("off")
-            self.show(axis, frames[i])
-
-        gif(figure, show, len(frames), path)
+        gif(figure, lambda i: self.show(axis, frames[i]), len(frames), path)
 
 
 def header(axis, text):
@@ -291,7 +291,8 @@ def save(figure, path):
 
 
 def gif(figure, show, count, path, colours=128):
-    """show(0), ... show(count - 1) fill the figure, each for a frame; one palette for all, made from eight of them"""
+    """show(0), ... show(count - 1) fill the figure, each for a frame; the last stands for a second. One palette for all, made from
+    every fourth"""
     images = []
     show(0)
     figure.canvas.draw()
@@ -301,7 +302,10 @@ def gif(figure, show, count, path, colours=128):
         figure.canvas.draw()
         images.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
     plt.close(figure)
-    sample = np.concatenate([np.asarray(image) for image in images[:: -(-count // 8)]])
+    sample = np.concatenate([np.asarray(image) for image in images[::4]])
     palette = Image.fromarray(sample).quantize(colours, PALETTE)
+    entries = np.array(palette.getpalette())
+    palette.putpalette(np.where(entries > 248, 255, entries).tolist())    # white stays white
     images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-    images[0].save(path, save_all=True, append_images=images[1:], duration=1000 // FRAMES_PER_SECOND, loop=0, optimize=True)
+    images[0].save(path, save_all=True, append_images=images[1:], loop=0, optimize=True,
+                   duration=[1000 // FRAMES_PER_SECOND] * (count - 1) + [1000])
