@@ -32,7 +32,7 @@ def draw(axis, frame):
 
 def words(variables):
     whole = ", a disc that cannot break" if float(variables["strength"]) > 1e9 else ""
-    return f"$E$ = {float(variables['E']) / 1e9:g} GPa{whole}"
+    return f"$E$ = {float(variables['E']) / 1e9:g} GPa, step {1e6 * float(variables['dt']):g} µs{whole}"
 
 
 FILM = picture.Film("dump.disc-bed", draw, SCALE, (-WALL, LENGTH + WALL, -WALL, HEIGHT), (0.5, (0.05, 0, 1.42)), words=words, zero=RELEASE)

@@ -198,16 +198,19 @@ class Film:
     def title(self, frame):
         return time_words(frame["time"] - self.zero)
 
-    def panels(self, rows, columns, below=()):
-        """figure, its panels, and a row of axes for curves for each height (inches) in `below`"""
+    def panels(self, rows, columns, below=(), one_run=False):
+        """figure, its panels, and for each height (inches) in `below` a row of axes for curves: one under each column, or, of one run,
+        one for all columns"""
         left, right, low, high = self.window
         width = min(self.width, 5.0 * columns)
         height = width / columns * (high - low) / (right - left) + 0.25
         figure = plt.figure(figsize=(width, rows * height + sum(below) + 1.0), layout="constrained")
-        axes = figure.subplots(rows + len(below), columns, squeeze=False, height_ratios=[*[height] * rows, *below])
-        for panel in axes[:rows].ravel():
+        grid = figure.add_gridspec(rows + len(below), columns, height_ratios=[*[height] * rows, *below])
+        axes = np.array([[figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(rows)])
+        for panel in axes.ravel():
             panel.axis("off")
-        return figure, axes[:rows], axes[rows:]
+        places = [slice(None)] if one_run else range(columns)
+        return figure, axes, [[figure.add_subplot(grid[rows + row, place]) for place in places] for row in range(len(below))]
 
     def show(self, axis, frame):
         """a frame in a panel, instead of what was there, with its time and a length"""
@@ -231,12 +234,12 @@ class Film:
                 axis.text(0.5, 0.5, f"the run ends at {self.title(frames[-1])}", transform=axis.transAxes, ha="center", color=GUIDE)
 
     def at_instants(self, folders, instants, below=()):
-        """figure of some runs at some instants: a column for each run, a row for each instant, and axes for curves below each column
-        (see panels). Rows that no run reaches are left out. The instants of a single run come side by side."""
+        """figure of some runs at some instants, and axes for curves (see panels): a column for each run, a row for each instant that
+        one of them reaches. The instants of a single run come side by side."""
         runs = [self.frames(folder) for folder in folders]
         instants = [instant for instant in instants if any(self._reaches(frames, instant) for frames in runs)]
-        if len(folders) == 1 and not below:
-            return self._one_run(folders[0], runs[0], instants), None
+        if len(folders) == 1:
+            return self._one_run(folders[0], runs[0], instants, below)
         figure, axes, curves_below = self.panels(len(instants), len(folders), below)
         for column, folder, frames in zip(axes.T, folders, runs):
             self.column(column, frames, instants)
@@ -244,14 +247,14 @@ class Film:
         self.scale.bar(figure, axes)
         return figure, curves_below
 
-    def _one_run(self, folder, frames, instants):
+    def _one_run(self, folder, frames, instants, below):
         left, right, low, high = self.window
         columns = 2 if right - left > high - low and len(instants) != 3 else len(instants)
-        figure, axes, _ = self.panels(-(-len(instants) // columns), columns)
+        figure, axes, curves_below = self.panels(-(-len(instants) // columns), columns, below, one_run=True)
         self.column(axes.ravel(), frames, instants)
         figure.suptitle(self.name(folder))
         self.scale.bar(figure, axes)
-        return figure
+        return figure, curves_below
 
     def animate(self, folder, path):
         """all frames of a run"""
