@@ -45,7 +45,8 @@ def words(variables):
     return f"{1e3 * float(variables['speed']):g} mm/s"
 
 
-FILM = BladeFilm("dump.blade-cut", draw, SCALE, (-WALL, slip_line.LENGTH + WALL, -WALL, TOP), (0.1, (0.44, 0, 0.255)), words=words, by="way")
+FILM = BladeFilm("dump.blade-cut", draw, SCALE, (-WALL, slip_line.LENGTH + WALL, -WALL, TOP), (0.1, (0.44, 0, 0.255)), words=words,
+                 by="way")
 
 
 def main(*arguments):

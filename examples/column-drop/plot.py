@@ -11,7 +11,7 @@ from potdem import picture
 RELEASED = 1.2                      # s, the left wall is gone
 INSTANTS = (0.0, 0.2, 0.4, 1.5)     # s after that
 SCALE = picture.Scale("speed", 0.0, 1.5, "velocity to the left, m/s", extend="both")
-LEFT, RIGHT, BELOW, TOP = -1.0, 0.28, -0.075, 0.48    # m, what is seen
+LEFT, RIGHT, BELOW, TOP = -1.35, 0.28, -0.085, 0.46    # m, what is seen
 
 
 def draw(axis, frame):
@@ -20,7 +20,8 @@ def draw(axis, frame):
 
 
 def words(variables):
-    return f"diameters 18 ± {1e3 * float(variables['sd']):.3g} mm"
+    law = "\nfriction that remembers, grains that roll" if variables.get("law") == "spring" else ""
+    return f"diameters 18 ± {1e3 * float(variables['sd']):.3g} mm{law}"
 
 
 FILM = picture.Film("dump.column-drop", draw, SCALE, (LEFT, RIGHT, BELOW, TOP), (0.2, (LEFT + 0.02, 0, -0.03)), words=words, zero=RELEASED)

@@ -82,7 +82,7 @@ def main(folder, path):
     figure, (axes,) = picture.curves(1, 3, 3.4)
     for which, axis in enumerate(axes):
         draw(axis, law, which, r, found[which])
-        axis.set_title(f"deviation at most {worst[which]:.0e}", fontsize=picture.FONT - 1, color=picture.STEEL)
+        axis.set_title(f"relative deviation at most {worst[which]:.1e}", fontsize=picture.FONT - 1, color=picture.STEEL)
     axes[0].legend()
     figure.suptitle(law.title)
     picture.save(figure, path)

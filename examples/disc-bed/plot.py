@@ -17,10 +17,11 @@ scan = beside(__file__, "scan")
 
 RELEASE = 0.1                          # s, when the disc is let go
 INSTANTS = (0.03, 0.12, 0.66, 1.47)    # s after it, Fig. 6.27
-EARLY = (0.03, 0.06, 0.12, 0.4)        # s, of shorter runs
+EARLY = (0.03, 0.06, 0.12, 0.38)       # s, of shorter runs
 LENGTH, HEIGHT, WALL = 1.45, 1.5, 0.02    # m, box, height seen, thickness of the walls in the picture
 SCALE = picture.Scale("damage", 0.0, 1.0, "share of bonds lost (grey: bed)")
-SHARES = {"broken bonds, of all": "#c4553b", "largest piece, of the disc": "#4a5568", "grains moved by more than a diameter": "#b08a2e"}
+# bonds that are broken, particles in the largest piece, grains of the bed that have moved by more than a diameter
+SHARES = {"broken bonds": "#c4553b", "largest piece": "#4a5568", "moved grains": "#b08a2e"}
 
 
 def draw(axis, frame):
@@ -31,7 +32,7 @@ def draw(axis, frame):
 
 
 def words(variables):
-    whole = ", a disc that cannot break" if float(variables["strength"]) > 1e9 else ""
+    whole = "\na disc that cannot break" if float(variables["strength"]) > 1e9 else ""
     return f"$E$ = {float(variables['E']) / 1e9:g} GPa, step {1e6 * float(variables['dt']):g} µs{whole}"
 
 
@@ -57,9 +58,9 @@ def main(*arguments):
         draw_history(height, share, logs.read_thermo(next(Path(folder).glob("log.*"))))
         height.sharex(share)
         share.set_xlim(0, last)
-    heights[0].set_ylabel("centre of the disc, m")
+    heights[0].set_ylabel("disc's centre, m")
     shares[0].set_ylabel("share, %")
-    shares[-1].legend()
+    shares[0].legend(loc="center right")
     picture.save(figure, path)
 
 

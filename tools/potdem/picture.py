@@ -43,7 +43,8 @@ def _part(name, low, high):
 
 
 # what a colour stands for, in every scene
-MAPS = {"strain": matplotlib.colormaps["coolwarm"], "stress": matplotlib.colormaps["coolwarm"], "velocity": _between("#41237a", "#a394cf", "#dedbd5", "#e9ac5e", "#95500e"),
+MAPS = {"strain": matplotlib.colormaps["coolwarm"], "stress": matplotlib.colormaps["coolwarm"],
+        "velocity": _between("#41237a", "#a394cf", "#dedbd5", "#e9ac5e", "#95500e"),
         "speed": _part("YlGnBu", 0.12, 0.95), "way": _part("RdPu", 0.1, 0.95), "damage": _part("YlOrRd", 0.08, 0.95)}
 BODY, GRAINS, LOOSE = to_rgba("#8a8f98"), to_rgba("#b9b4aa"), to_rgba("#c9b458")    # a body that only hits, a bed, debris
 WALL, FLOOR, STEEL = "#b9c2c9", "#e7e3dc", "#555555"
@@ -203,7 +204,7 @@ class Film:
         one for all columns"""
         left, right, low, high = self.window
         width = min(self.width, 5.0 * columns)
-        height = width / columns * (high - low) / (right - left) + 0.25
+        height = (width - (0.7 if below else 0.0)) / columns * (high - low) / (right - left) + 0.25    # curves have labels
         figure = plt.figure(figsize=(width, rows * height + sum(below) + 1.0), layout="constrained")
         grid = figure.add_gridspec(rows + len(below), columns, height_ratios=[*[height] * rows, *below])
         axes = np.array([[figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(rows)])
@@ -285,17 +286,26 @@ def ordered(count):
 
 # --- files ------------------------------------------------------------------------------------------------------------
 
+def _with_palette(images, sample, colours):
+    """images with one palette, made for a sample of them"""
+    palette = sample.quantize(colours, PALETTE)
+    entries = np.array(palette.getpalette())
+    palette.putpalette(np.where(entries > 248, 255, entries).tolist())    # white stays white
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+
+
 def save(figure, path):
     """as PNG with a palette, which takes a third of the space"""
     whole = io.BytesIO()
     figure.savefig(whole, format="png", facecolor="white")
     plt.close(figure)
-    Image.open(whole).convert("RGB").quantize(256, PALETTE, dither=Image.Dither.NONE).save(path, format="png", optimize=True)
+    image = Image.open(whole).convert("RGB")
+    _with_palette([image], image, 256)[0].save(path, format="png", optimize=True)
 
 
 def gif(figure, show, count, path, colours=128):
-    """show(0), ... show(count - 1) fill the figure, each for a frame; the last stands for a second. One palette for all, made from
-    every fourth"""
+    """show(0), ... show(count - 1) fill the figure, each for a frame; the last stands for a second. The palette is that of every
+    fourth"""
     images = []
     show(0)
     figure.canvas.draw()
@@ -305,10 +315,7 @@ def gif(figure, show, count, path, colours=128):
         figure.canvas.draw()
         images.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
     plt.close(figure)
-    sample = np.concatenate([np.asarray(image) for image in images[::4]])
-    palette = Image.fromarray(sample).quantize(colours, PALETTE)
-    entries = np.array(palette.getpalette())
-    palette.putpalette(np.where(entries > 248, 255, entries).tolist())    # white stays white
-    images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    sample = Image.fromarray(np.concatenate([np.asarray(image) for image in images[::4]]))
+    images = _with_palette(images, sample, colours)
     images[0].save(path, save_all=True, append_images=images[1:], loop=0, optimize=True,
                    duration=[1000 // FRAMES_PER_SECOND] * (count - 1) + [1000])

@@ -78,4 +78,4 @@ def lammps(log):
     """the pulse and the history of a run, which is named <pulse>-<area mode>-<r_infl over d>"""
     pulse, area, reach = log.name.split(".beam-impulse.")[1].split(".g++")[0].split("-")
     table = logs.read_thermo(log)
-    return pulse, History(f"LAMMPS, {area}, {float(reach):g} d", table["Time"], table["v_deflection"])
+    return pulse, History(f"LAMMPS, area {area}, {float(reach):g} d", table["Time"], table["v_deflection"])
