@@ -26,7 +26,7 @@ def words(variables):
     return "friction on walls" if float(variables["mu_wall"]) else "no friction"
 
 
-FILM = picture.Film("dump.hopper", draw, SCALE, (-0.009, 0.169, 0.08, 0.43), (0.05, (0.08, 0, 0.12)), words=words, width=6.4)
+FILM = picture.Film("dump.hopper", draw, SCALE, (-0.009, 0.169, 0.08, 0.43), (0.05, (0.08, 0, 0.12)), words=words)
 
 
 def main(*arguments):

@@ -19,12 +19,14 @@ import numpy as np  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # noqa: E402
 from matplotlib.patheffects import withStroke  # noqa: E402
+from matplotlib.ticker import MaxNLocator  # noqa: E402
 from PIL import Image, features  # noqa: E402
 
 from potdem import dumps  # noqa: E402
 from potdem.scenes import scene as scenes  # noqa: E402
 
 WIDTH, DPI = 9.5, 100          # inches, of a picture
+PANEL = (5.0, 4.5)             # width and height, inches, that a panel has at most
 FONT = 11                      # points
 FRAMES_PER_SECOND = 20
 plt.rcParams.update({"font.size": FONT, "axes.titlesize": FONT, "axes.labelsize": FONT, "legend.fontsize": FONT - 2,
@@ -105,11 +107,12 @@ class Scale:
     def __call__(self, values):
         return MAPS[self.kind](self.limits(values))
 
-    def bar(self, figure, axes, **more):
+    def bar(self, figure, axes):
         """the colours with their values, below the axes"""
         shown = matplotlib.cm.ScalarMappable(self.limits, MAPS[self.kind])
         figure.colorbar(shown, ax=list(np.ravel(axes)), label=self.label, extend=self.extend,
-                        **{"orientation": "horizontal", "shrink": 0.5, "aspect": 40, "pad": 0.03, **more})
+                        orientation="horizontal", shrink=0.5 if figure.get_figwidth() > PANEL[0] else 0.9, aspect=40, pad=0.03,
+                        ticks=MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
 
 
 def view(points, turn, tilt):
@@ -185,7 +188,6 @@ class Film:
     direction: tuple = FRONT
     words: "Callable | None" = None    # words(variables of a run, see settings): what it is
     zero: float = 0.0           # s, when the scene's time starts
-    width: float = WIDTH        # inches, of a picture with several runs
     by: str = "time"            # what the instants are values of
 
     def frames(self, folder):
@@ -203,7 +205,7 @@ class Film:
         """figure, its panels, and for each height (inches) in `below` a row of axes for curves: one under each column, or, of one run,
         one for all columns"""
         left, right, low, high = self.window
-        width = min(self.width, 5.0 * columns)
+        width = min(WIDTH, columns * min(PANEL[0], PANEL[1] * (right - left) / (high - low)))
         height = (width - (0.7 if below else 0.0)) / columns * (high - low) / (right - left) + 0.25    # curves have labels
         figure = plt.figure(figsize=(width, rows * height + sum(below) + 1.0), layout="constrained")
         grid = figure.add_gridspec(rows + len(below), columns, height_ratios=[*[height] * rows, *below])
