@@ -4,10 +4,12 @@
 """What the pictures of the scenes have in common: words, panels, files."""
 
 import numpy as np
+import pictures
 import pytest
 from PIL import Image
 
 from potdem import paraview, picture
+from potdem.paths import EXAMPLES
 from potdem.scenes import scene as scenes
 
 
@@ -114,3 +116,17 @@ def test_what_a_whole_frame_has_is_no_value_of_its_particles(tmp_path):
     written = paraview.write([{**frame, "way": 0.1} for frame in frames(0.2)], tmp_path / "vtk", "one")
     text = next(written.parent.glob("*.vtk")).read_text()
     assert "SCALARS radius" in text and "way" not in text
+
+
+def test_pictures_of_the_pages_are_made_by_one_command():
+    paths = [drawn.path for drawn in pictures.PICTURES]
+    assert sorted(paths) == sorted(EXAMPLES.glob("*/*.png"))
+    for drawn in pictures.PICTURES:
+        scene = scenes.Scene(drawn.scene)
+        assert (scene.folder / drawn.program.split()[0]).exists()
+        assert all(name in scene.variants for name in drawn.variants)
+
+
+def test_an_unknown_scene_has_no_picture():
+    with pytest.raises(SystemExit, match="no pictures of fligth; there are: bar-strength.*animation"):
+        pictures.main("fligth")

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""Draws the pictures on the pages of the scenes, and the animation of three of them.
+
+Usage: tools/python tools/pictures.py [SCENE ...] [animation]      examples/*/*.png and docs/scenes.gif, or some of them
+from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
+"""
+
+import subprocess
+import sys
+from dataclasses import dataclass
+
+from potdem import dumps, picture
+from potdem.paths import DOCS, EXAMPLES, with_package
+from potdem.progress import Progress
+from potdem.scenes import run_scene
+from potdem.scenes.scene import OUTPUT, Scene
+
+ANIMATION = "animation"
+FRAMES, COLOURS = 64, 80
+HEIGHT, DPI = 3.1, 84    # inches, and dots in each
+
+
+def run_of(scene, name):
+    """the folder of a run on one rank, which is made if it is not there"""
+    variant = Scene(scene).variant(name)
+    if not list(variant.output(1).glob("log.*.g++.1")):
+        run_scene.simulate(variant, 1, Progress(variant.label))
+    return variant.output(1)
+
+
+@dataclass
+class Drawn:
+    """a picture on the page of a scene: the variants that it shows, and the program that draws it, from their folders or, if it is not
+    plot.py, from the folder of all of them or as its option says"""
+
+    scene: str
+    name: str
+    variants: tuple
+    program: str = "plot.py"
+
+    @property
+    def path(self):
+        return EXAMPLES / self.scene / f"{self.name}.png"
+
+    def draw(self):
+        folders = [run_of(self.scene, variant) for variant in self.variants]
+        program, *option = self.program.split()
+        sources = folders if program == "plot.py" else option or [OUTPUT / self.scene]
+        subprocess.run([sys.executable, EXAMPLES / self.scene / program, *sources, self.path], env=with_package(), check=True)
+        print(self.path)
+
+
+SPEEDS = ("v2", "v4", "v6", "v8")
+PICTURES = [
+    Drawn("bar-strength", "bar-strength", (), "strengths.py --draw"),
+    Drawn("beam-impact", "beam-impact", ("i-3", "i-5")),
+    Drawn("beam-impact", "mid-span", ("ii-3", "ii-5")),
+    Drawn("beam-impact", "unbroken", ("i-3-unbroken", "i-5-unbroken")),
+    Drawn("beam-impact", "crack", ("i-5", "i-5-crack")),
+    Drawn("beam-impact", "deflection", ("i-5", "ii-5", "iii-5", "i-5-unbroken", "ii-5-unbroken", "iii-5-unbroken"), "deflection.py"),
+    Drawn("beam-impulse", "beam-impulse", tuple(f"{pulse}-{area}-2.00" for pulse in ("f1", "f2") for area in ("factor", "lattice", "body"))),
+    Drawn("blade-cut", "blade-cut", ("fast", "slow")),
+    Drawn("column-drop", "column-drop", ("sd5-1", "var5-1")),
+    Drawn("concrete-beam", "concrete-beam", ("v2", "v4")),
+    Drawn("concrete-beam", "reaction", (*SPEEDS, *(f"{speed}-unbroken" for speed in SPEEDS)), "reaction.py"),
+    *(Drawn("contact-laws", law, (law,)) for law in Scene("contact-laws").all_variants),
+    Drawn("cylinder-impact", "cylinder-impact", ("1e6", "2e5")),
+    Drawn("cylinder-impact", "elastic", ("2e8",)),
+    Drawn("disc-bed", "disc-bed", ("disc",)),
+    Drawn("disc-bed", "others", ("printed", "fine", "unbreakable")),
+    Drawn("elastic-statics", "hole", ("hole",)),
+    Drawn("hopper", "hopper", ("smooth", "rough-walls", "rough")),
+    Drawn("uniform-tension", "uniform-tension", ("sc-bulk", "sc-5", "sc-10", "fcc-bulk", "fcc-5", "fcc-10")),
+]
+
+
+@dataclass
+class Shown:
+    """a run in the animation until a time (s)"""
+
+    scene: str
+    variant: str
+    until: float
+    title: str
+
+    def __post_init__(self):
+        self.film = run_scene.film_of(Scene(self.scene))
+        self.frames = self.film.frames(run_of(self.scene, self.variant))
+
+    @property
+    def shape(self):
+        left, right, low, high = self.film.window
+        return (right - left) / (high - low)
+
+    def show(self, axis, share):
+        self.film.show(axis, dumps.at(self.frames, self.film.zero + share * self.until))
+        picture.header(axis, self.title)
+
+
+def animate(path):
+    every = [Shown("beam-impact", "i-5", 0.4, "a falling block breaks a beam"),
+             Shown("disc-bed", "disc", 1.2, "a disc falls on gravel"), Shown("hopper", "rough", 1.2, "a hopper")]
+    figure, axes = picture.plt.subplots(1, len(every), figsize=(picture.WIDTH, HEIGHT), dpi=DPI, layout="constrained",
+                                        width_ratios=[shown.shape for shown in every])
+
+    def show(i):
+        for axis, shown in zip(axes, every):
+            shown.show(axis, i / (FRAMES - 1))
+
+    picture.gif(figure, show, FRAMES, path, COLOURS)
+    print(path)
+
+
+def main(*chosen):
+    scenes = {drawn.scene for drawn in PICTURES}
+    unknown = set(chosen) - {*scenes, ANIMATION}
+    if unknown:
+        sys.exit(f"no pictures of {', '.join(sorted(unknown))}; there are: {', '.join(sorted(scenes))}, {ANIMATION}")
+    for drawn in PICTURES:
+        if not chosen or drawn.scene in chosen:
+            drawn.draw()
+    if not chosen or ANIMATION in chosen:
+        animate(DOCS / "scenes.gif")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
