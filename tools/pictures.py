@@ -67,7 +67,7 @@ PICTURES = [
     Drawn("concrete-beam", "concrete-beam", ("v2", "v4")),
     Drawn("concrete-beam", "reaction", (*SPEEDS, *(f"{speed}-unbroken" for speed in SPEEDS)), "reaction.py"),
     *(Drawn("contact-laws", law, (law,)) for law in Scene("contact-laws").all_variants),
-    Drawn("cylinder-impact", "cylinder-impact", ("1e6", "2e5")),
+    Drawn("cylinder-impact", "cylinder-impact", ("1e6", "nearest", "2e5")),
     Drawn("cylinder-impact", "elastic", ("2e8",)),
     Drawn("disc-bed", "disc-bed", ("disc",)),
     Drawn("disc-bed", "others", ("printed", "fine", "unbreakable")),

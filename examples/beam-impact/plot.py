@@ -36,7 +36,7 @@ def words(variables):
     return ", ".join(parts)
 
 
-FILM = picture.Film("dump.beam-impact", draw, SCALE, (-0.065, 0.315, -0.035, 0.13), (0.05, (0.0, -0.05, 0.0)), picture.SLANTED, words)
+FILM = picture.Film("dump.beam-impact", draw, SCALE, (-0.07, 0.33, -0.035, 0.14), (0.05, (0.0, -0.05, 0.0)), picture.SLANTED, words)
 
 
 def main(*arguments):

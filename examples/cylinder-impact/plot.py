@@ -2,7 +2,8 @@
 # Distributed under the GNU General Public License, version 2
 
 """plot.py FOLDER [FOLDER ...] PICTURE.png: the cylinder at the thesis's instants, its particles coloured by their vertical velocity,
-and below the sizes of its pieces against time; a column for each folder of a run (build/examples/cylinder-impact/<variant>.np<ranks>)."""
+and below, where it breaks, the sizes of its pieces against time; a column for each folder of a run
+(build/examples/cylinder-impact/<variant>.np<ranks>)."""
 
 import sys
 from pathlib import Path
@@ -16,7 +17,7 @@ ELASTIC = (0.02, 0.1, 0.2, 0.4)             # s, Fig. 6.21
 SPEED = 10.0                                # m/s, at the start
 SCALE = picture.Scale("velocity", -SPEED, SPEED, "vertical velocity, m/s", extend="both")
 DIRECTION = (-55.0, 9.0)                    # turn, tilt
-HALF, HEIGHT = 6.5, 5.0                     # m, half the width that is seen, and the height
+HALF, HEIGHT = 6.5, 5.5                     # m, half the width that is seen, and the height
 SEEN = 9.5                                  # m from the middle: what lies beyond is left out
 FLOOR = [(-SEEN, -SEEN, 0.0), (SEEN, -SEEN, 0.0), (SEEN, SEEN, 0.0), (-SEEN, SEEN, 0.0)]
 COLUMNS = ("v_n100", "v_n10", "v_n2", "v_n1")    # of the log, in the order of picture.PIECES
@@ -29,8 +30,12 @@ def draw(axis, frame):
 
 
 def words(variables):
-    strength = float(variables["strength"]) / 1e6
-    return f"{strength:g} MPa"
+    parts = [f"{float(variables['strength']) / 1e6:g} MPa"]
+    if "penetration" in variables["options"]:
+        parts.append("non-penetration factor")
+    if float(variables["D"]) > float(variables["length"]):
+        parts.append(f"a disc of {variables['D']} m")
+    return ", ".join(parts)
 
 
 FILM = picture.Film("dump.cylinder-impact", draw, SCALE, (-HALF, HALF, -1.5, HEIGHT), (2.0, (-1.0, -7.0, 0)), DIRECTION, words)
@@ -44,12 +49,15 @@ def draw_sizes(axis, table, last):
 
 def main(*arguments):
     *folders, path = arguments
-    last = max(float(picture.settings(folder)["time"]) for folder in folders)
-    figure, (sizes,) = FILM.at_instants(folders, INSTANTS if last > ELASTIC[-1] else ELASTIC, below=(2.0,))
-    for axis, folder in zip(sizes, folders):
-        draw_sizes(axis, logs.read_thermo(next(Path(folder).glob("log.*"))), last)
-    sizes[0].set_ylabel("particles, %")
-    sizes[0].legend(title="in pieces of", title_fontsize=picture.FONT - 2, loc="lower left", frameon=True)
+    tables = [logs.read_thermo(next(Path(folder).glob("log.*"))) for folder in folders]
+    last = max(table["Time"][-1] for table in tables)
+    breaks = any(table["v_broken"][-1] for table in tables)
+    figure, sizes = FILM.at_instants(folders, INSTANTS if last > ELASTIC[-1] else ELASTIC, below=(2.0,) if breaks else ())
+    if breaks:
+        for axis, table in zip(sizes[0], tables):
+            draw_sizes(axis, table, last)
+        sizes[0][0].set_ylabel("particles, %")
+        sizes[0][0].legend(title="in pieces of", title_fontsize=picture.FONT - 2, loc="lower left", frameon=True)
     picture.save(figure, path)
 
 
