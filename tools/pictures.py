@@ -64,6 +64,7 @@ PICTURES = [
     Drawn("beam-impulse", "beam-impulse", tuple(f"{pulse}-{area}-2.00" for pulse in ("f1", "f2") for area in ("factor", "lattice", "body"))),
     Drawn("blade-cut", "blade-cut", ("fast", "slow")),
     Drawn("column-drop", "column-drop", ("sd5-1", "var5-1")),
+    Drawn("column-drop", "spring", ("spring",)),
     Drawn("concrete-beam", "concrete-beam", ("v2", "v4")),
     Drawn("concrete-beam", "reaction", (*SPEEDS, *(f"{speed}-unbroken" for speed in SPEEDS)), "reaction.py"),
     *(Drawn("contact-laws", law, (law,)) for law in Scene("contact-laws").all_variants),

@@ -20,7 +20,7 @@ def draw(axis, frame):
 
 
 def words(variables):
-    law = "\nfriction that remembers, grains that roll" if variables.get("law") == "spring" else ""
+    law = "\nfriction that remembers, grains roll" if variables.get("law") == "spring" else ""
     return f"diameters 18 ± {1e3 * float(variables['sd']):.3g} mm{law}"
 
 

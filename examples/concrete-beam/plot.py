@@ -17,7 +17,7 @@ SUPPORTS, RADIUS = (-0.595, 0.595), 0.05    # m
 DAMAGE = picture.Scale("damage", 0.0, 1.0, "share of bonds lost (grey: hammer)")
 SPEED = picture.Scale("velocity", -1.0, 1.0, "vertical velocity, m/s", extend="both")
 DIRECTION = (0.0, 4.0)    # turn, tilt
-LEFT, RIGHT, LOW, TOP = -0.85, 0.85, -0.62, 0.66    # m, what is seen
+LEFT, RIGHT, LOW, TOP = -0.95, 0.95, -0.62, 0.66    # m, what is seen
 
 
 def show(axis, frame, shades):
