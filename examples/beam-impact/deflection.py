@@ -25,7 +25,7 @@ def main(folder, path):
         axis.set(title=title, xlabel="time, s", xlim=(0, None))
     axes[0].set_ylabel("deflection of the middle section, mm")
     axes[0].invert_yaxis()
-    axes[-1].legend()
+    axes[0].legend(loc="lower right")
     picture.save(figure, path)
 
 

@@ -11,7 +11,7 @@ from potdem import picture
 INSTANTS = (0.016, 0.2, 0.4)             # s, Figs 6.3 to 6.6 and 6.10
 UNBROKEN = (0.024, 0.24, 0.42, 0.6)      # s, Figs 6.7 and 6.8
 SCALE = picture.Scale("strain", -0.06, 0.06, "strain along the beam (yellow: loose particles; grey: block)", extend="both")
-FLOOR = [(-0.05, -0.06, 0.0), (0.30, -0.06, 0.0), (0.30, 0.085, 0.0), (-0.05, 0.085, 0.0)]
+FLOOR = [(-0.05, -0.06, 0.0), (0.33, -0.06, 0.0), (0.33, 0.085, 0.0), (-0.05, 0.085, 0.0)]
 POSITIONS = {"i": "at the end", "ii": "half the width, mid-span", "iii": "half the width, at the end"}
 
 
@@ -36,7 +36,7 @@ def words(variables):
     return ", ".join(parts)
 
 
-FILM = picture.Film("dump.beam-impact", draw, SCALE, (-0.07, 0.33, -0.035, 0.14), (0.05, (0.0, -0.05, 0.0)), picture.SLANTED, words)
+FILM = picture.Film("dump.beam-impact", draw, SCALE, (-0.07, 0.35, -0.035, 0.145), (0.05, (0.0, -0.05, 0.0)), picture.SLANTED, words)
 
 
 def main(*arguments):
