@@ -60,7 +60,7 @@ def main(*arguments):
         share.set_xlim(0, last)
     heights[0].set_ylabel("disc's centre, m")
     shares[0].set_ylabel("share, %")
-    shares[0].legend(loc="center right")
+    shares[0].legend(loc="best")
     picture.save(figure, path)
 
 
