@@ -102,7 +102,7 @@ class Shown:
 
 
 def animate(path):
-    every = [Shown("beam-impact", "i-5", 0.2, "a falling block breaks a beam"),
+    every = [Shown("beam-impact", "i-5", 0.16, "a falling block breaks a beam"),
              Shown("disc-bed", "disc", 1.2, "a disc falls on gravel"), Shown("hopper", "rough", 1.2, "a hopper")]
     figure, axes = picture.plt.subplots(1, len(every), figsize=(picture.WIDTH, HEIGHT), dpi=DPI, layout="constrained",
                                         width_ratios=[shown.shape for shown in every])
