@@ -61,7 +61,7 @@ PICTURES = [
     Drawn("beam-impact", "unbroken", ("i-3-unbroken", "i-5-unbroken")),
     Drawn("beam-impact", "crack", ("i-5", "i-5-crack")),
     Drawn("beam-impact", "deflection", ("i-5", "ii-5", "iii-5", "i-5-unbroken", "ii-5-unbroken", "iii-5-unbroken"), "deflection.py"),
-    Drawn("beam-impulse", "beam-impulse", tuple(f"{pulse}-{area}-2.00" for pulse in ("f1", "f2") for area in ("factor", "lattice", "body"))),
+    Drawn("beam-impulse", "beam-impulse", tuple(Scene("beam-impulse").default_variants)),
     Drawn("blade-cut", "blade-cut", ("fast", "slow")),
     Drawn("column-drop", "column-drop", ("sd5-1", "var5-1")),
     Drawn("column-drop", "spring", ("spring",)),

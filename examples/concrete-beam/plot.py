@@ -50,14 +50,16 @@ FILM, WAVE_FILM = film(draw, DAMAGE), film(draw_speed, SPEED)
 
 def main(*arguments):
     *folders, path = arguments
-    figure, axes, _ = FILM.panels(1 + len(INSTANTS), len(folders))
-    for column, folder in zip(axes.T, folders):
-        frames = FILM.frames(folder)
+    runs = [FILM.frames(folder) for folder in folders]
+    instants = FILM.reached(runs, INSTANTS)
+    figure, axes, _ = FILM.panels(1 + len(instants), len(folders))
+    for column, folder, frames in zip(axes.T, folders, runs):
         WAVE_FILM.column(column[:1], frames, [WAVE])
-        FILM.column(column[1:], frames, INSTANTS)
+        FILM.column(column[1:], frames, instants)
         picture.header(column[0], FILM.name(folder))
     SPEED.bar(figure, axes[:1])
-    DAMAGE.bar(figure, axes[1:])
+    if instants:
+        DAMAGE.bar(figure, axes[1:])
     picture.save(figure, path)
 
 

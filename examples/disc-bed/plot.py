@@ -52,10 +52,11 @@ def draw_history(height, share, table):
 
 def main(*arguments):
     *folders, path = arguments
-    last = max(float(picture.settings(folder)["time"]) for folder in folders)
+    tables = [logs.read_thermo(next(Path(folder).glob("log.*"))) for folder in folders]
+    last = max(table["Time"][-1] for table in tables) - RELEASE
     figure, (heights, shares) = FILM.at_instants(folders, INSTANTS if last > 1 else EARLY, below=(1.6, 2.0))
-    for height, share, folder in zip(heights, shares, folders):
-        draw_history(height, share, logs.read_thermo(next(Path(folder).glob("log.*"))))
+    for height, share, table in zip(heights, shares, tables):
+        draw_history(height, share, table)
         height.sharex(share)
         share.set_xlim(0, last)
     heights[0].set_ylabel("disc's centre, m")

@@ -228,6 +228,10 @@ class Film:
         """to half the distance of frames"""
         return instant + self.zero <= 1.5 * frames[-1][self.by] - 0.5 * frames[-2][self.by]
 
+    def reached(self, runs, instants):
+        """those of the instants that one of the runs (lists of frames) reaches"""
+        return [instant for instant in instants if any(self._reaches(frames, instant) for frames in runs)]
+
     def column(self, column, frames, instants):
         """frames at instants, one below the other; a run may end before the last of them"""
         for axis, instant in zip(column, instants):
@@ -240,7 +244,7 @@ class Film:
         """figure of some runs at some instants, and axes for curves (see panels): a column for each run, a row for each instant that
         one of them reaches. The instants of a single run come side by side."""
         runs = [self.frames(folder) for folder in folders]
-        instants = [instant for instant in instants if any(self._reaches(frames, instant) for frames in runs)]
+        instants = self.reached(runs, instants)
         if len(folders) == 1:
             return self._one_run(folders[0], runs[0], instants, below)
         figure, axes, curves_below = self.panels(len(instants), len(folders), below)
