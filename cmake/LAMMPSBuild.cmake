@@ -37,7 +37,7 @@ get_target_property(POTDEM_LAMMPS_INCLUDES lammps INCLUDE_DIRECTORIES)
 # nobody reads errno or traps, so that loops may become vector instructions; every width gives the same bits, so no fused operations
 set(POTDEM_FLOATING_POINT -fno-math-errno -fno-trapping-math -ffp-contract=off)
 
-# vectors of four numbers are only passed between functions that are inlined
+# psabi: see core/laws/four.h
 set(POTDEM_WARNINGS -Wall -Wextra -Wno-psabi)
 
 # what a source of this package is compiled with, in liblammps and in the plugin alike

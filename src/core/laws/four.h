@@ -27,6 +27,10 @@ POTDEM_FUNCTION inline double square_root(double a)
 
 #ifdef POTDEM_HAS_FOUR
 
+// these vectors are only passed between functions that are inlined: no ABI is concerned
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 typedef double Two __attribute__((vector_size(16)));
 typedef double Four __attribute__((vector_size(32)));
 
@@ -87,6 +91,8 @@ POTDEM_FUNCTION inline double sum(const Four &a)
 {
   return a[0] + a[1] + a[2] + a[3];
 }
+
+#pragma GCC diagnostic pop
 
 #endif
 
