@@ -48,7 +48,8 @@ def _prepared(text):
     text = re.sub(r"(?<=\s)(-?)inf(?=\s)", rf"\g<1>{INFINITE}", text)
     starts = [match.start() for match in re.finditer(r"^ *Step ", text, re.MULTILINE)]
     if starts and "\nLoop time of" not in text[starts[-1]:]:
-        # what a killed run wrote of its last line is no row
+        # what a killed run wrote of its last line is no row, nor what MPI says after an error
+        text = re.split(r"^ERROR", text, maxsplit=1, flags=re.MULTILINE)[0]
         text = text[: text.rfind("\n") + 1] + "Loop time of a run that was not ended\n"
     return text
 

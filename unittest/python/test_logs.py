@@ -52,6 +52,8 @@ def test_a_run_that_did_not_end_is_read_up_to_its_last_whole_line():
     assert logs.thermo(TWO_RUNS + begun + "            4\n        40   1")["Step"].tolist() == [0, 10, 20, 30]
     assert logs.thermo(TWO_RUNS + begun)["Step"].tolist() == [0, 10, 20]
     assert logs.thermo(begun + "            4\nERROR: Lost atoms (thermo.cpp:1)\n")["v_broken"].tolist() == [3, 4]
+    told = "ERROR on proc 0: Bond atoms 1 2 missing (a.cpp:1)\n" + "-" * 74 + "\nMPI_ABORT was invoked on rank 0\n" + "-" * 74 + "\n"
+    assert logs.thermo(begun + "            4\n" + told)["v_broken"].tolist() == [3, 4]
 
 
 def test_lines_of_numbers_between_the_rows_are_refused():
