@@ -46,6 +46,8 @@ variants:
   slow: {description: at unit speed}
   fast: {vars: {speed: 2.0}, description: at twice that}
 default_variants: [slow]
+readings:
+  2: slow and fast
 reference:
   break_column: v_broken
   columns:
@@ -173,7 +175,7 @@ def test_what_does_not_exist_is_named(examples, arguments, message):
 def test_all_scenes_and_their_claims(with_reference):
     run = with_reference(program="run_all")
     assert run.returncode == 0, run.stdout
-    assert "| 1 | atoms are there | yes | yes | yes |\n| 2 | atoms fly | 42 m | done | no |" in run.stdout
+    assert "| 1 | atoms are there | yes |  | yes | yes |\n| 2 | atoms fly | 42 m | slow and fast | done | no |" in run.stdout
     assert run.stdout.endswith("1 runs; 5 checks passed, 0 failed\n")
 
 
@@ -186,7 +188,7 @@ def test_the_page_of_the_claims_is_written_when_references_are(with_reference):
     assert "        10   0.5" in log.read_text()
     text = with_reference.page.read_text()
     assert text.startswith("# Claims\nbefore\n<!-- made by") and text.endswith("<!-- end of the table -->\nafter\n")
-    assert "| [2](../examples/flight/README.md) | atoms fly | 42 m | done | no |" in text and "an | old" not in text
+    assert "| [2](../examples/flight/README.md) | atoms fly | 42 m | slow and fast | done | no |" in text and "an | old" not in text
 
 
 def test_an_animation_and_files_for_paraview_show_every_frame(with_reference):
@@ -245,7 +247,7 @@ def test_draws_are_run_with_seeds_of_their_own_and_without_references(with_refer
     run = with_reference("--update-reference", program="run_all")
     assert run.returncode == 0, run.stdout
     assert run.stdout.endswith("4 runs; 12 checks passed, 0 failed\n")
-    assert "| 1 | seeds | 1, 2, 3 | [1, 2, 3] | partly: 2 of 3 draws |" in run.stdout
+    assert "| 1 | seeds | 1, 2, 3 |  | [1, 2, 3] | partly: 2 of 3 draws |" in run.stdout
     assert sorted(with_reference.scene.glob("log.*")) == before
     again = with_reference("flight", "slow.draw2")
     assert again.returncode == 0 and "flight.slow.draw2" in again.stdout and "compared with nothing" in again.stdout

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from potdem.scenes.scene import load
 
-HEADER = ("| | claim | thesis | measured | holds |", "|---|---|---|---|---|")
+HEADER = ("| | claim | thesis | readings tried | measured | holds |", "|---|---|---|---|---|---|")
 
 
 @dataclass
@@ -19,14 +19,15 @@ class Claim:
     thesis: str
     measured: str
     verdict: str
-    scene: str = ""    # by of_scene
+    scene: str = ""       # by of_scene
+    readings: str = ""    # of what the thesis does not state: from the scene.yaml, by of_scene
 
 
 def of_scene(scene, folder_of):
     """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant, draw=1) -> Path"""
     if not scene.claims:
         return []
-    return [replace(found, scene=scene.name) for found in load(scene.claims).claims(folder_of)]
+    return [replace(found, scene=scene.name, readings=scene.readings.get(found.number, "")) for found in load(scene.claims).claims(folder_of)]
 
 
 def of_draws(verdicts):
@@ -47,5 +48,5 @@ def table(claims, linked=False):
     def number(c):
         return f"[{c.number}](../examples/{c.scene}/README.md)" if linked else c.number
 
-    rows = [f"| {number(c)} | {c.text} | {c.thesis} | {c.measured} | {c.verdict} |" for c in sorted(claims, key=order)]
+    rows = [f"| {number(c)} | {c.text} | {c.thesis} | {c.readings} | {c.measured} | {c.verdict} |" for c in sorted(claims, key=order)]
     return "\n".join([*HEADER, *rows])

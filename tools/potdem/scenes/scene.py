@@ -55,6 +55,8 @@ class Scene:
         # a scene without variants is one variant without a name
         self.variants = settings.get("variants") or {"": {}}
         self.default_variants = settings.get("default_variants") or list(self.variants)[:1]
+        # {number of a claim: what was tried of what the thesis does not state}
+        self.readings = {str(number): text for number, text in (settings.get("readings") or {}).items()}
         # what examples/run all runs: the claims may need more than a newcomer's first run
         self.all_variants = settings.get("all_variants") or self.default_variants
         # of random numbers, the script's variable seed: how many examples/run all runs of a variant that says nothing else
