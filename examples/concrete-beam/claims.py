@@ -123,7 +123,8 @@ def measure(folder):
     return (f"arrives {1e3 * when[0]:.3f} {1e3 * when[1]:.3f} ms, {pulse[0]:.0f} {pulse[1]:.0f} N; {WEIGHT / 1e3:.1f}, {RISING / 1e3:.0f}, "
             f"{RISEN / 1e3:.0f} kN at {listed([1e3 * reaction.above(force) for force in (WEIGHT, RISING, RISEN)], '.1f')} ms; peak "
             f"{peak / 1e3:.1f} kN at {1e3 * at_peak:.1f} ms; zone {zone} cm; over supports {100 * over_supports(frames):.1f} %; pieces "
-            f"{pieces(frames)}; hammer in the air " + (f"{np.median(free):.3f} g, {np.sum(np.abs(free - 1) < 0.01)} of {len(free)} within 1 %"
+            f"{pieces(frames)}; hammer in the air " +
+            (f"{np.median(free):.3f} g, {np.sum(np.abs(free - 1) < 0.01)} of {len(free)} within 1 %"
                                               if len(free) else "never"))
 
 

@@ -63,8 +63,8 @@ class Case:
         return f"in.{self.bulk}"
 
 
-SILO_TEXT = """{grains} grains ({material}) of radius 2 mm in a silo of radius 100 mm, with a funnel that is 70 mm high and ends in an outlet of
-radius 30 mm; the lid on the outlet is gone at the start, and {time} s follow. The moduli of grains and steel are divided by {softer},
+SILO_TEXT = """{grains} grains ({material}) of radius 2 mm in a silo of radius 100 mm, with a funnel that is 70 mm high and ends in an outlet
+of radius 30 mm; the lid on the outlet is gone at the start, and {time} s follow. The moduli of grains and steel are divided by {softer},
 and the step is {dt} s in place of 1.5·10⁻⁶ s: with the moduli as they are, the same time would take {times} times as many steps.
 *Curve*: grains above the outlet."""
 
@@ -109,8 +109,8 @@ that one core runs in minutes.
 Materials are the paper's: grains M1 1 GPa, 0.2, 2500 kg/m³, restitution 0.5, friction 0.3; grains M2 0.5 GPa, 0.2, 2000 kg/m³,
 restitution 0.4, friction 0.4; steel 210 GPa, 0.2, 7200 kg/m³; of grains and steel restitution 0.4, friction 0.2. All programs have
 Hertz's and Mindlin's contact, the dashpots $2\\beta\\sqrt{{m^*K}}$ and $2\\beta\\sqrt{{m^*k_t}}$ of that restitution, no
-attraction as grains part, and Coulomb's limit. They read one packing, which POTDEM has let settle; contacts begin without friction. The meshes and packings of the paper were not at hand: outlet, box, ball and
-numbers of grains are ours.
+attraction as grains part, and Coulomb's limit. They read one packing, which POTDEM has let settle; contacts begin without friction.
+The meshes and packings of the paper were not at hand: outlet, box, ball and numbers of grains are ours.
 
 *One core*: processor seconds of the steps alone, without reading and set-up; *ns*: over steps and grains that are still there.
 *Two cores*: of the clock, over the first tenth of the time, two MPI ranks of LAMMPS, two threads of YADE. *Off the others*: root

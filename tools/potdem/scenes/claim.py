@@ -27,7 +27,8 @@ def of_scene(scene, folder_of):
     """the claims that a scene's claims.py finds: claims(folder_of) -> list of Claim, folder_of(variant, draw=1) -> Path"""
     if not scene.claims:
         return []
-    return [replace(found, scene=scene.name, readings=scene.readings.get(found.number, "")) for found in load(scene.claims).claims(folder_of)]
+    return [replace(found, scene=scene.name, readings=scene.readings.get(found.number, ""))
+            for found in load(scene.claims).claims(folder_of)]
 
 
 def of_draws(verdicts):
