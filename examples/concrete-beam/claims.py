@@ -125,7 +125,7 @@ def measure(folder):
             f"{peak / 1e3:.1f} kN at {1e3 * at_peak:.1f} ms; zone {zone} cm; over supports {100 * over_supports(frames):.1f} %; pieces "
             f"{pieces(frames)}; hammer in the air " +
             (f"{np.median(free):.3f} g, {np.sum(np.abs(free - 1) < 0.01)} of {len(free)} within 1 %"
-                                              if len(free) else "never"))
+             if len(free) else "never"))
 
 
 def listed(values, form=".0f"):
