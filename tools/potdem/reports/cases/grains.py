@@ -77,6 +77,7 @@ def column(short, _):
 BED_E, BED_NU, BED_H = 3e6, 0.3, 2e-4               # as in.bed has them
 BED_K = 4 / 3 * BED_E / (2 * (1 - BED_NU**2))       # F = sqrt(R w) (k w + gamma m w')
 BED_MASS = np.pi / 6 * 2000 * 0.01**3 / 2
+BED_SOFT = 2 / 7                                    # stiffness of the springs of friction, over sqrt(R w) K: 1.5 times it over dF/dw
 BED_SERIES = {
     "potdem/hertz, η auto": {},
     "potdem/hertz, η = 2 kg/s": {"eta": 2},
@@ -84,14 +85,16 @@ BED_SERIES = {
     "potdem/hertz, η auto, soft layer": {"layer": "layer 0.1 2"},
     "potdem/hertz, η auto, with the ledger": {"book": "yes"},
     "potdem/hertz, mindlin": {"eta": "mindlin damping 0.1"},
+    "potdem/hertz, spring": {"eta": f"spring {BED_SOFT / 1.5:.9g} damping 0.3"},
     "gran/hertz/history": {"style": "history"},
     "granular, mindlin": {"style": "granular"},
 }
 
 BED_TEXT = """768 grains of 10 mm, friction 0.3, fall into a box and come to rest ([in.bed](../../tools/potdem/reports/cases/in.bed)), 0.4 s. All
 styles have the same Hertz contact with the same viscosity, rolling, and this package's walls. Reference: {reference}. Its friction
-is a spring that remembers the sliding, so it holds grains at rest, as does *mindlin* of `potdem/hertz`; with a viscosity η, its other
-friction, it creeps: part of that error is of the model. Walls are bare, but for *soft layer*."""
+is a spring that remembers the sliding, so it holds grains at rest, as do *mindlin* and *spring* of `potdem/hertz`; with a viscosity η, its
+other friction, it creeps: part of that error is of the model. *spring* is as stiff as the springs of LAMMPS's styles here, *mindlin* 4.3 times as stiff, as
+the elasticity of the grains says, and needs shorter steps for it. Walls are bare, but for *soft layer*."""
 
 
 def of_bed(run):
@@ -122,5 +125,5 @@ def bed(short, _):
 
 
 def bed_setting(series, step):
-    variables = {**BED_SERIES[series], "dt": step, "time": 0.4, "k": BED_K, "kt": 2 / 7 * BED_K, "gamma": BED_K * BED_H / BED_MASS}
+    variables = {**BED_SERIES[series], "dt": step, "time": 0.4, "k": BED_K, "kt": BED_SOFT * BED_K, "gamma": BED_K * BED_H / BED_MASS}
     return lammps(series, f"{1e6 * step:g} µs", HERE / "in.bed", seeded(variables), of_bed, loop=True, peer="potdem" not in series)
