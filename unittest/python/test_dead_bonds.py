@@ -179,7 +179,7 @@ def test_the_memory_is_kept_through(run_lammps, event, nprocs):
 
 @pytest.mark.parametrize("steps", [0, 1, 2, 3])
 def test_a_restart_around_the_step_of_failure(run_lammps, steps):
-    """the bond is found overstretched at step 0, is gone in step 1, and in the neighbour list at step 2"""
+    """the bond is found overstretched at step 0, and in step 1 it is gone and the pair in the neighbour list"""
     script = CLOSE + SETTINGS + f"set atom 2 x 0.85\nrun {steps}\nwrite_restart half.restart\n"
     script += "clear\nread_restart half.restart\n" + SETTINGS + "run 3\n" + scripts.result("bonds", "f_fail", "ebond") + path(0.8)
     found = scripts.results_by_length(run_lammps(script).stdout)

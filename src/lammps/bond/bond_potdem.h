@@ -53,7 +53,8 @@ template <class Law> class BondPotdem : public BondPotdemBase {
   // what the loop reads and where its forces go
   struct Inputs {
     const double (*x)[3], (*v)[3];
-    const int *partner, *type;
+    const int *partner;
+    const PotdemBondNetwork::Type *type;
     const double *inverse_length2, *half_modulus, *dashpot, *scale;
     const POTDEM::Strength *strength;
     const typename Law::Kernel *kernel;

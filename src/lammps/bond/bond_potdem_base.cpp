@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -69,6 +70,8 @@ void BondPotdemBase::allocate()
 {
   allocated = 1;
   const int n = atom->nbondtypes + 1;
+  if (n > std::numeric_limits<PotdemBondNetwork::Type>::max())
+    error->all(FLERR, "{}: {} bond types are too many", style, atom->nbondtypes);
   memory->create(setflag, n, "bond:setflag");
   std::fill(setflag, setflag + n, 0);
   beside.assign(n, BesideLaw());
@@ -172,7 +175,7 @@ void BondPotdemBase::set_communication()
 {
   longest = history->longest();
   const double need = longest + neighbor->skin;
-  const bool users = comm->cutghostuser > 0.0 && comm->cutghostuser != history->ghost_cutoff;
+  const bool users = comm->cutghostuser > 0.0 && !history->follows_bonds();
   if (users && comm->cutghostuser < need)
     error->all(FLERR,
                "{}: the longest bond ({}) and the neighbour skin ({}) are beyond the "
@@ -180,8 +183,7 @@ void BondPotdemBase::set_communication()
                style, longest, neighbor->skin, comm->cutghostuser);
   if (users) return;
   const double contacts = force->pair ? force->pair->cutforce : 0.0;
-  comm->cutghostuser = history->ghost_cutoff =
-      MAX(STRETCH_ALLOWANCE * longest, contacts) + neighbor->skin;
+  history->reach_at_most(MAX(STRETCH_ALLOWANCE * longest, contacts) + neighbor->skin);
 }
 
 bool BondPotdemBase::has_new_bonds() const
@@ -260,7 +262,8 @@ void BondPotdemBase::pack_bond(int i, int n)
   const int j = bonds.partner[n], type = bonds.type[n];
   const int slot = history->slot(i, atom->tag[j]);
   const double re = history->length(i, slot);
-  const double EA = modulus(type) * beside[type].area.section(*history, i, slot);
+  const double dbar = atom->radius[i] + atom->radius[j];
+  const double EA = modulus(type) * beside[type].area.section(*history, i, slot, dbar);
   bonds.inverse_length2[n] = 1.0 / (re * re);
   bonds.half_modulus[n] = 0.5 * EA;
   if (j >= atom->nlocal) check_reach(i, j, re);
@@ -277,7 +280,8 @@ void BondPotdemBase::pack_bond(int i, int n)
 void BondPotdemBase::check_reach(int i, int j, double re) const
 {
   const double r = sqrt(distance2(atom->x[i], atom->x[j]));
-  const double cutoff = MAX(comm->cutghostuser, neighbor->cutneighmax);
+  const double set = history->follows_bonds() ? history->widest : comm->cutghostuser;
+  const double cutoff = MAX(set, neighbor->cutneighmax);
   if (r + neighbor->skin > cutoff)
     error->one(
         FLERR,
@@ -410,7 +414,8 @@ double BondPotdemBase::single(int type, double rsq, int i, int j, double &fforce
   const int slot = history->slot(owned, atom->tag[other]);
   if (slot < 0 || history->length(owned, slot) <= 0.0) return 0.0;
   const double r = sqrt(rsq), re = history->length(owned, slot);
-  const double area = beside[type].area.section(*history, owned, slot);
+  const double dbar = atom->radius[i] + atom->radius[j];
+  const double area = beside[type].area.section(*history, owned, slot, dbar);
   const auto at = evaluate(type, r, re, modulus(type) * area, state_of(owned, other, slot));
   fforce = at.force / r;
   svector[STRAIN] = POTDEM::truss_strain(rsq / (re * re));

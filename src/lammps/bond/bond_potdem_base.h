@@ -54,7 +54,6 @@ class BondPotdemBase :
   void return_state() override;
 
   bool owns(int type) const override;
-  void follow_lists() override;
   const std::vector<Overstretched> &overstretched() const override { return over; }
   double energy_of_bond(int type, double r2, int i, int j) override;
   void cut(int i, tagint partner) override;
@@ -149,6 +148,7 @@ class BondPotdemBase :
   void set_communication();
   void announce_contacts();
   void forget_packed();
+  void follow_lists();
   void pack();
   void pack_bond(int i, int n);
   void check_reach(int i, int j, double re) const;

@@ -145,7 +145,9 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take_four(const Inputs &in, const T
                                                        int i, int n, int ghosts, POTDEM::Four3 &sum)
 {
   using POTDEM::Four;
-  const int *const partner = in.partner + n, *const types = in.type + n, type = types[0];
+  const int *const partner = in.partner + n;
+  const auto *const types = in.type + n;
+  const int type = types[0];
   if ((types[1] ^ type) | (types[2] ^ type) | (types[3] ^ type)) return false;
   const POTDEM::Four3 del(in.x, partner, in.x[i]);
   const Four r2 = del.dot(del), q = r2 * POTDEM::read_vector<Four>(in.inverse_length2 + n);

@@ -7,11 +7,13 @@
    from the next step on, for good.
 
    The bond loop notes which bonds are overstretched while it computes their force. At the end of the
-   step the rank that owns the end with the lower ID reports them to all ranks, and before the forces of
-   the next step each rank removes them where it holds them: no two ranks can disagree by rounding.
-   Velocity Verlet thus applies the bond's force for the first half of the step in between and not for
-   the second: its fracture energy is the mean of its elastic energies at both ends of that step, which
-   closes the energy balance to second order. Set-up removes nothing. */
+   step the rank that owns the end with the lower ID decides, and tells the rank of the other end: no two
+   ranks can disagree by rounding. When the particles have moved in the next step both remove the bond,
+   before its forces, and the pair comes into the neighbour lists at once. Velocity Verlet thus applies
+   the bond's force for the first half of the step in between and not for the second: its fracture energy
+   is the mean of its elastic energies at both ends of that step, which closes the energy balance to
+   second order. Set-up removes nothing. Ranks that share no bonds hear nothing of each other, and sums
+   over all of them are made when somebody asks. */
 
 #include "lammps/bond/fix_potdem_failure.h"
 
@@ -20,8 +22,8 @@
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
-#include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_material_input.h"
+#include "lammps/glue/potdem_swap.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -29,15 +31,16 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
+#include "math_extra.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "output.h"
 #include "pair.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -47,12 +50,12 @@ static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
 /* ---------------------------------------------------------------------- */
 
 FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
-    FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
-    ntension(0.0), ncompression(0.0), lost_energy(0.0), bonds(nullptr), history(nullptr), maxrows(0)
+    FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0),
+    compression(-1.0), lost{}, uncounted(0), bonds(nullptr), history(nullptr), maxrows(0),
+    generation(-1)
 {
   PotdemMaterialInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
-  static_assert(offsetof(Failure, gap) == FAILURE_WIDTH * sizeof(double),
-                "Failure begins with a row");
+  static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "a failure is a row");
   btype = input.bond_type();
   while (!input.done()) {
     if (input.next_is("tension"))
@@ -78,8 +81,6 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
   size_local_cols = FAILURE_WIDTH;
   size_local_rows = 0;
   restart_global = 1;
-  force_reneighbor = 1;
-  next_reneighbor = -1;
 }
 
 FixPotdemFailure::~FixPotdemFailure()
@@ -108,7 +109,7 @@ POTDEM::StrengthScatter FixPotdemFailure::read_scatter(PotdemInput &input)
 
 int FixPotdemFailure::setmask()
 {
-  return PRE_EXCHANGE | PRE_FORCE | END_OF_STEP;
+  return POST_INTEGRATE | END_OF_STEP | POST_RUN;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -150,13 +151,13 @@ void FixPotdemFailure::give_strengths_to(BondStrengths &strengths) const
 void FixPotdemFailure::setup(int /*vflag*/)
 {
   warn_if_idle();
-  agree();
+  decide();
 }
 
 // most likely a wrong bond type or group; but bonds may still come, or all have failed
-void FixPotdemFailure::warn_if_idle() const
+void FixPotdemFailure::warn_if_idle()
 {
-  if (update->nsteps == 0 || ntension + ncompression > 0.0) return;
+  if (update->nsteps == 0 || totals().count() > 0.0) return;
   // per bond type whether there is a bond, and first whether there is one for this fix
   std::vector<int> mine(atom->nbondtypes + 1, 0), there(atom->nbondtypes + 1);
   for (int n = 0; n < neighbor->nbondlist; n++) {
@@ -182,99 +183,149 @@ void FixPotdemFailure::warn_if_idle() const
 
 void FixPotdemFailure::end_of_step()
 {
-  agree();
+  decide();
+  if (update->ntimestep == output->next) count_bonds();
 }
 
-void FixPotdemFailure::agree()
+void FixPotdemFailure::post_run()
 {
-  std::vector<Pending> mine;
+  count_bonds();
+}
+
+void FixPotdemFailure::decide()
+{
+  if (generation != history->generation) follow_lists();
+  pending.clear();
   const tagint *tag = atom->tag;
+  const int nlocal = atom->nlocal;
   for (const auto &over : bonds->overstretched()) {
     const int i = over.i, j = over.j;
     if (over.type != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
-    if (j >= atom->nlocal && tag[j] < tag[i]) continue;
-    mine.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]), bond_energy(i, j)});
+    if (j >= nlocal && tag[j] < tag[i]) continue;
+    double del[3];
+    MathExtra::sub3(atom->x[j], atom->x[i], del);
+    pending.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]),
+                       bond_energy(i, tag[j], MathExtra::lensq3(del)),
+                       j < nlocal ? comm->me : owner[j - nlocal]});
   }
-  pending = potdem_gather(lmp, mine, "failing bonds");
+  if (!told.empty()) tell();
+}
+
+// the ranks that this one shares bonds of the type with
+void FixPotdemFailure::follow_lists()
+{
+  generation = history->generation;
+  told.clear();
+  if (comm->nprocs == 1) {
+    owner.assign(atom->nghost, comm->me);
+    return;
+  }
+  std::vector<double> rank(atom->nlocal + atom->nghost, comm->me);
+  history->forward(rank.data(), 1);
+  owner.assign(rank.begin() + atom->nlocal, rank.end());
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    const int *const listed = neighbor->bondlist[n];
+    if (listed[2] != btype || listed[1] < atom->nlocal) continue;
+    const int other = owner[listed[1] - atom->nlocal];
+    if (other != comm->me) told[other];
+  }
+}
+
+// afterwards both ranks have the bonds that they share in the same order
+void FixPotdemFailure::tell()
+{
+  for (const auto &doomed : pending)
+    if (doomed.other != comm->me) told[doomed.other].push_back({doomed.low, doomed.high});
+  potdem_swap(world, told);
+  for (auto &[rank, pairs] : told) {
+    for (const auto &pair : pairs) pending.push_back({pair.low, pair.high, 0.0, rank});
+    pairs.clear();
+  }
+  std::sort(pending.begin(), pending.end(), [](const Doomed &a, const Doomed &b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+}
+
+bool FixPotdemFailure::owns(tagint tag) const
+{
+  const int i = atom->map(tag);
+  return i >= 0 && i < atom->nlocal;
 }
 
 /* ----------------------------------------------------------------------
-   A failed pair must come into the neighbour list before it can touch. Until the next regular rebuild no particle is
+   A failed pair must be in the neighbour list before it can touch. Until the next regular rebuild no particle is
    further than half a skin from its place at the last one, and none is now: two particles approach each other by
    two skins at most.
 ------------------------------------------------------------------------- */
 
-void FixPotdemFailure::pre_force(int /*vflag*/)
+void FixPotdemFailure::post_integrate()
 {
   if (pending.empty()) return;
-  bonds->follow_lists();
-  const auto failed = describe_pending();
-  pending.clear();
-  bool near = false;
+  const auto apart = distances();
   std::vector<PotdemNewContact> begun;
-  for (const auto &failure : failed) {
-    remove(failure);
-    begun.push_back(
-        {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2), failure.contact});
-    near = near || failure.gap < 2.0 * neighbor->skin;
-    (failure.strain > 0.0 ? ntension : ncompression) += 1.0;
-    lost_energy += failure.energy;
-    atom->nbonds--;
+  for (std::size_t k = 0; k < pending.size(); k++) {
+    const auto &doomed = pending[k];
+    const double r = sqrt(apart[k].r2);
+    const double gap = r - contact_reach(atom->map(doomed.low), atom->map(doomed.high));
+    // a pair within reach of its contact law remembers the distance, at which the law will begin
+    const double contact = gap < 0.0 ? r : 0.0;
+    if (owns(doomed.low)) record(describe(doomed, apart[k], contact));
+    remove(doomed);
+    if (gap < 2.0 * neighbor->skin) history->parted.add(doomed.low, doomed.high);
+    begun.push_back({doomed.low, doomed.high, contact});
   }
   pre_exchange();    // LAMMPS's special lists know it at once
-  // a pair within reach of its contact law remembers the distance, at which the law will begin
   for (auto *const contacts : potdem_find<ContactMemory>(lmp)) contacts->expect_contacts(begun);
-  if (near) next_reneighbor = update->ntimestep + 1;
+  pending.clear();
 }
 
-std::vector<FixPotdemFailure::Failure> FixPotdemFailure::describe_pending()
+// where the particles are now; those of other ranks have moved since they were communicated
+std::vector<FixPotdemFailure::Apart> FixPotdemFailure::distances() const
 {
-  std::vector<Failure> mine;
+  struct Place {
+    double x[3];
+  };
+  const auto place = [this](tagint tag) {
+    Place at;
+    std::copy_n(atom->x[atom->map(tag)], 3, at.x);
+    return at;
+  };
+  std::map<int, std::vector<Place>> places;
+  for (const auto &doomed : pending)
+    if (doomed.other != comm->me)
+      places[doomed.other].push_back(place(owns(doomed.low) ? doomed.low : doomed.high));
+  if (!places.empty()) potdem_swap(world, places);
+  std::map<int, std::size_t> taken;
+  std::vector<Apart> apart;
   for (const auto &doomed : pending) {
-    const int i = atom->map(doomed.low);
-    if (atom->map(doomed.high) >= 0 && i >= 0 && i < atom->nlocal)
-      mine.push_back(describe(i, doomed));
+    const bool here = doomed.other == comm->me, own_low = owns(doomed.low);
+    const Place mine = place(own_low ? doomed.low : doomed.high);
+    const Place theirs = here ? place(doomed.high) : places[doomed.other][taken[doomed.other]++];
+    Apart one;
+    MathExtra::sub3(theirs.x, mine.x, one.del);
+    PotdemCompat::minimum_image(domain, one.del);
+    one.r2 = MathExtra::lensq3(one.del);
+    apart.push_back(one);
   }
-  record(mine);
-  return potdem_gather(lmp, mine, "failing bonds");
+  return apart;
 }
 
-void FixPotdemFailure::record(const std::vector<Failure> &failed)
+FixPotdemFailure::Failure FixPotdemFailure::describe(const Doomed &doomed, const Apart &apart,
+                                                     double contact) const
 {
-  const bigint wanted = size_local_rows + static_cast<bigint>(failed.size());
-  if (wanted > MAXSMALLINT)
-    error->one(
-        FLERR,
-        "Fix potdem/failure {}: {} failed bonds on one rank are too many for its local output", id,
-        wanted);
-  if (wanted > maxrows) {
-    maxrows =
-        static_cast<int>(MIN(2 * wanted, MAXSMALLINT));    // growth costs a constant time a row
-    memory->grow(array_local, maxrows, FAILURE_WIDTH, "potdem/failure:array_local");
-  }
-  for (const auto &failure : failed)
-    std::copy_n(&failure.step, FAILURE_WIDTH, array_local[size_local_rows++]);
-}
-
-FixPotdemFailure::Failure FixPotdemFailure::describe(int i, const Pending &doomed) const
-{
-  const int j = domain->closest_image(i, atom->map(doomed.high));
-  const double *xi = atom->x[i], *xj = atom->x[j];
-  const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
-  const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2], r = sqrt(r2);
-  const double gap = r - contact_reach(i, j),
-               re = history->length(i, history->slot(i, doomed.high));
+  const int i = atom->map(doomed.low);
+  const double *const x = atom->x[i], *const del = apart.del;
+  const double re = history->length(i, history->slot(i, doomed.high));
   return {static_cast<double>(update->ntimestep),
           update->atime + (update->ntimestep - update->atimestep) * update->dt,
           static_cast<double>(doomed.low),
           static_cast<double>(doomed.high),
-          0.5 * (xi[0] + xj[0]),
-          0.5 * (xi[1] + xj[1]),
-          0.5 * (xi[2] + xj[2]),
-          POTDEM::truss_strain(r2 / (re * re)),
-          0.5 * (doomed.energy + bond_energy(i, j)),
-          gap < 0.0 ? r : 0.0,
-          gap};
+          x[0] + 0.5 * del[0],
+          x[1] + 0.5 * del[1],
+          x[2] + 0.5 * del[2],
+          POTDEM::truss_strain(apart.r2 / (re * re)),
+          0.5 * (doomed.energy + bond_energy(i, doomed.high, apart.r2)),
+          contact};
 }
 
 // within which the pair style may act on particles of these types
@@ -283,57 +334,91 @@ double FixPotdemFailure::contact_reach(int i, int j) const
   return force->pair ? sqrt(force->pair->cutsq[atom->type[i]][atom->type[j]]) : 0.0;
 }
 
-double FixPotdemFailure::bond_energy(int i, int j) const
+double FixPotdemFailure::bond_energy(int i, tagint partner, double r2) const
 {
-  const double *xi = atom->x[i], *xj = atom->x[j];
-  const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
-  return bonds->energy_of_bond(btype, del[0] * del[0] + del[1] * del[1] + del[2] * del[2], i, j);
+  return bonds->energy_of_bond(btype, r2, i, atom->map(partner));
+}
+
+// counted where it was decided
+void FixPotdemFailure::record(const Failure &failure)
+{
+  if (size_local_rows == MAXSMALLINT)
+    error->one(FLERR,
+               "Fix potdem/failure {}: {} failed bonds on one rank are too many for its local "
+               "output",
+               id, size_local_rows);
+  if (size_local_rows == maxrows) {
+    // growth costs a constant time a row
+    maxrows = static_cast<int>(MIN(2 * static_cast<bigint>(maxrows) + 64, MAXSMALLINT));
+    memory->grow(array_local, maxrows, FAILURE_WIDTH, "potdem/failure:array_local");
+  }
+  std::copy_n(&failure.step, FAILURE_WIDTH, array_local[size_local_rows++]);
+  (failure.strain > 0.0 ? lost.tension : lost.compression) += 1.0;
+  lost.energy += failure.energy;
+  uncounted++;
 }
 
 /* ----------------------------------------------------------------------
    wherever this rank holds the bond, for good
 ------------------------------------------------------------------------- */
 
-void FixPotdemFailure::remove(const Failure &failure)
+void FixPotdemFailure::remove(const Doomed &doomed)
 {
-  const tagint tags[2] = {static_cast<tagint>(failure.tag1), static_cast<tagint>(failure.tag2)};
-  bool held = false;
+  const tagint tags[2] = {doomed.low, doomed.high};
   for (int end = 0; end < 2; end++) {
+    if (!owns(tags[end])) continue;
     const int i = atom->map(tags[end]);
-    if (i < 0 || i >= atom->nlocal) continue;
-    held = true;
     bonds->cut(i, tags[1 - end]);
     history->remove(i, history->slot(i, tags[1 - end]));
   }
-  if (!held) return;
   add_broken_bond(atom->map(tags[0]), atom->map(tags[1]));
   new_broken_pairs.clear();    // the base class's list for pairs that are in the neighbour list
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   over all ranks
+------------------------------------------------------------------------- */
+
+FixPotdemFailure::Totals FixPotdemFailure::totals()
+{
+  Totals all;
+  MPI_Allreduce(&lost, &all, sizeof(Totals) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+// LAMMPS's number of bonds is one number, the same everywhere
+void FixPotdemFailure::count_bonds()
+{
+  bigint all;
+  MPI_Allreduce(&uncounted, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  atom->nbonds -= all;
+  uncounted = 0;
+}
 
 double FixPotdemFailure::compute_scalar()
 {
-  return ntension + ncompression;
+  return totals().count();
 }
 
 double FixPotdemFailure::compute_vector(int n)
 {
-  const double values[3] = {lost_energy, ntension, ncompression};
+  const auto all = totals();
+  const double values[3] = {all.energy, all.tension, all.compression};
   return values[n];
 }
 
 double FixPotdemFailure::memory_usage()
 {
-  return static_cast<double>(maxrows) * (FAILURE_WIDTH * sizeof(double) + sizeof(double *));
+  return static_cast<double>(maxrows) * (FAILURE_WIDTH * sizeof(double) + sizeof(double *)) +
+      static_cast<double>(owner.capacity()) * sizeof(int);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixPotdemFailure::write_restart(FILE *fp)
 {
-  pre_exchange();    // special lists as the restart file's reader must find them
-  const double state[3] = {lost_energy, ntension, ncompression};
+  const auto all = totals();
+  const double state[3] = {all.energy, all.tension, all.compression};
   const int size = sizeof(state);
   if (comm->me == 0) {
     fwrite(&size, sizeof(int), 1, fp);
@@ -344,7 +429,5 @@ void FixPotdemFailure::write_restart(FILE *fp)
 void FixPotdemFailure::restart(char *buf)
 {
   const auto state = reinterpret_cast<const double *>(buf);
-  lost_energy = state[0];
-  ntension = state[1];
-  ncompression = state[2];
+  if (comm->me == 0) lost = {state[0], state[1], state[2]};
 }

@@ -14,6 +14,7 @@
 
 #include "fix_update_special_bonds.h"
 
+#include <map>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -28,10 +29,11 @@ class FixPotdemFailure :
   int setmask() override;
   void init() override;
   void give_strengths_to(class BondStrengths &) const override;
-  void add_energy_to(PotdemEnergies &all) override { all.fracture += lost_energy; }
+  void add_energy_to(PotdemEnergies &all) override { all.fracture += totals().energy; }
   void setup(int) override;
-  void pre_force(int) override;
+  void post_integrate() override;
   void end_of_step() override;
+  void post_run() override;
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
@@ -39,37 +41,58 @@ class FixPotdemFailure :
   void restart(char *) override;
 
  private:
-  // one failed bond, in the order of the columns of the local output; then the distance to the contact law's reach
+  // one failed bond, in the order of the columns of the local output
   struct Failure {
     double step, time, tag1, tag2, x, y, z, strain, energy, contact;
-    double gap;
+  };
+  struct Totals {
+    double energy, tension, compression;    // fracture energy, and failed bonds
+    double count() const { return tension + compression; }
   };
 
   int btype;
   double tension, compression;
   POTDEM::StrengthScatter scatter;
-  double ntension, ncompression, lost_energy;    // since the first run, over all ranks
-  BreakableBonds *bonds;                         // those of this type
+  Totals lost;              // since the first run, of what this rank decided
+  bigint uncounted;         // of those: LAMMPS's number of bonds still has them
+  BreakableBonds *bonds;    // those of this type
   class FixPotdemBondHistory *history;
   int maxrows;    // of array_local: what this rank decided, in one block, as LAMMPS's Python module reads it
 
-  // a bond that is to fail, by the IDs of its ends (low < high), and its energy when that was found
-  struct Pending {
+  // a bond that is to fail, by the IDs of its ends (low < high), on each rank that has one of them
+  struct Doomed {
     tagint low, high;
-    double energy;
+    double energy;    // when that was found, where it was
+    int other;        // rank that owns the other end
   };
-  std::vector<Pending> pending;    // the same on all ranks
+  struct TagPair {
+    tagint low, high;
+  };
+  std::vector<Doomed> pending;
+  std::vector<int> owner;    // rank of each ghost
+  std::map<int, std::vector<TagPair>>
+      told;          // for each rank that shares bonds with this one: nothing, between messages
+  int generation;    // of the bond list that they belong to
 
   static POTDEM::StrengthScatter read_scatter(class PotdemInput &);
-  void agree();
-  std::vector<Failure> describe_pending();
-  Failure describe(int i, const Pending &) const;
-  double bond_energy(int i, int j) const;
+  void follow_lists();
+  void decide();
+  void tell();
+  bool owns(tagint) const;
+  struct Apart {
+    double del[3],
+        r2;    // from the end with the lower ID, if this rank has it, else from the other
+  };
+  std::vector<Apart> distances() const;
+  Failure describe(const Doomed &, const Apart &, double contact) const;
+  double bond_energy(int i, tagint partner, double r2) const;
   double contact_reach(int i, int j) const;
-  void record(const std::vector<Failure> &);
+  void record(const Failure &);
   void find_bonds();
-  void warn_if_idle() const;
-  void remove(const Failure &);
+  void warn_if_idle();
+  void remove(const Doomed &);
+  Totals totals();
+  void count_bonds();
 };
 
 }    // namespace LAMMPS_NS

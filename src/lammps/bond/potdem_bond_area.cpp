@@ -7,6 +7,7 @@
 
 #include "lammps/bond/potdem_body_area.h"
 #include "lammps/bond/potdem_lattice_area.h"
+#include "core/laws/truss.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/potdem_material_input.h"
 
@@ -60,8 +61,9 @@ void PotdemBondArea::find(LAMMPS *lmp, FixPotdemBondHistory *history, const std:
   if (mode == BODY) PotdemBodyArea(lmp, history, style).solve(type, value);
 }
 
-double PotdemBondArea::section(const FixPotdemBondHistory &history, int i, int slot) const
+double PotdemBondArea::section(const FixPotdemBondHistory &history, int i, int slot,
+                               double dbar) const
 {
-  if (mode == FACTOR) return value * history.section(i, slot);
+  if (mode == FACTOR) return value * POTDEM::truss_section(dbar);
   return std::fabs(history.area(i, slot));
 }

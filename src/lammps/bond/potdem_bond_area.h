@@ -23,7 +23,8 @@ class PotdemBondArea {
 
   // style: for messages and errors, e.g. "bond_style potdem/truss"
   void find(class LAMMPS *, FixPotdemBondHistory *, const std::string &style, int type) const;
-  double section(const FixPotdemBondHistory &, int i, int slot) const;    // of owned atom i's bond
+  // of a bond of owned atom i between particles of mean diameter dbar
+  double section(const FixPotdemBondHistory &, int i, int slot, double dbar) const;
 
  private:
   enum { FACTOR, LATTICE, BODY } mode = FACTOR;

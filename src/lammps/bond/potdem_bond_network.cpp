@@ -39,7 +39,6 @@ void PotdemBondNetwork::order(const std::vector<char> &ours, bool damped, bool s
   const int n = first[nlocal];
   partner.resize(n);
   type.resize(n);
-  listed.resize(n);
   std::vector<int> owned(first.begin(), first.end() - 1), ghost = ghosts;
   for (int k = 0; k < nlist; k++) {
     if (list[k][2] <= 0 || !ours[list[k][2]]) continue;
@@ -47,7 +46,6 @@ void PotdemBondNetwork::order(const std::vector<char> &ours, bool damped, bool s
     const int at = list[k][1] < nlocal ? owned[i]++ : ghost[i]++;
     partner[at] = list[k][1];
     type[at] = list[k][2];
-    listed[at] = k;
   }
   inverse_length2.resize(n);
   half_modulus.resize(n);
@@ -79,7 +77,18 @@ void PotdemBondNetwork::cut(int i, tagint partner_tag, bool in_list)
   half_modulus[n] = 0.0;
   type[n] = 0;
   if (!dashpot.empty()) dashpot[n] = 0.0;
-  if (in_list) neighbor->bondlist[listed[n]][2] = 0;
+  if (in_list) listed(i, partner[n])[2] = 0;
+}
+
+// of LAMMPS's list, which is in the order of its first atoms, the row of this bond
+int *PotdemBondNetwork::listed(int i, int j) const
+{
+  int **const begin = neighbor->bondlist, **const end = begin + neighbor->nbondlist;
+  int **row = std::lower_bound(begin, end, i, [](const int *one, int first_atom) {
+    return one[0] < first_atom;
+  });
+  while ((*row)[1] != j) row++;
+  return *row;
 }
 
 /* ----------------------------------------------------------------------
@@ -117,7 +126,6 @@ double PotdemBondNetwork::memory_usage() const
 {
   const double doubles = inverse_length2.capacity() + half_modulus.capacity() + dashpot.capacity() +
       strength.capacity() + state.capacity();
-  const double ints = first.capacity() + ghosts.capacity() + partner.capacity() + type.capacity() +
-      listed.capacity();
-  return doubles * sizeof(double) + ints * sizeof(int);
+  const double ints = first.capacity() + ghosts.capacity() + partner.capacity();
+  return doubles * sizeof(double) + ints * sizeof(int) + type.capacity() * sizeof(Type);
 }

@@ -23,7 +23,9 @@ class PotdemBondNetwork : protected Pointers {
   // per owned atom: first bond, first with a ghost partner; one more than there are atoms
   std::vector<int> first, ghosts;
   // per bond; type 0: cut
-  std::vector<int> partner, type;
+  std::vector<int> partner;
+  typedef unsigned short Type;
+  std::vector<Type> type;
   std::vector<double> inverse_length2, half_modulus;    // 1/re^2, A E/2
   std::vector<double> dashpot;                          // if any is damped
   std::vector<double> strength;                         // over that of the type, if it scatters
@@ -52,9 +54,9 @@ class PotdemBondNetwork : protected Pointers {
  private:
   int nstate;
   bool newer;
-  std::vector<int> listed;    // place in LAMMPS's list
 
   int find_partner(int i, tagint) const;
+  int *listed(int i, int j) const;
 };
 
 }    // namespace LAMMPS_NS

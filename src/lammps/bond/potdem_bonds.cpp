@@ -243,7 +243,7 @@ std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
                    atom->tag[j]);
       const bool cut = region && crosses_crack(x[low], x[high]);
       if (cut && r >= dbar) continue;
-      found.push_back({i, atom->tag[j], cut ? -r : r, POTDEM::truss_section(dbar), 0.0});
+      found.push_back({i, atom->tag[j], cut ? -r : r, 0.0});
     }
   }
   return found;
@@ -285,7 +285,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     for (int m = 0; m < atom->num_bond[i]; m++) {
       types.push_back(atom->bond_type[i][m]);
       old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
-                     store ? store->section(i, m) : 0.0, store ? store->area(i, m) : 0.0});
+                     store ? store->area(i, m) : 0.0});
     }
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
   const auto contacts = store ? store->new_contacts : std::vector<PotdemNewContact>();
@@ -302,7 +302,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     const int i = old[k].i, m = atom->num_bond[i]++;
     atom->bond_type[i][m] = types[k];
     atom->bond_atom[i][m] = old[k].partner;
-    store->store(i, m, old[k].length, old[k].section, old[k].area);
+    store->store(i, m, old[k].length, old[k].area);
   }
 }
 
@@ -316,7 +316,7 @@ void PotdemBonds::add(const std::vector<NewBond> &bonds)
     const int m = atom->num_bond[bond.i]++;
     atom->bond_type[bond.i][m] = btype;
     atom->bond_atom[bond.i][m] = bond.partner;
-    store->store(bond.i, m, bond.length, bond.section);
+    store->store(bond.i, m, bond.length);
   }
   Special special(lmp);
   special.build();

@@ -25,8 +25,8 @@ class PotdemBonds : public Command {
   struct NewBond {
     int i;    // owned atom
     tagint partner;
-    double length;           // negative: no bond but a contact of this length
-    double section, area;    // area: as in FixPotdemBondHistory
+    double length;    // negative: no bond but a contact of this length
+    double area;      // as in FixPotdemBondHistory
   };
 
   int igroup, btype;

@@ -13,10 +13,12 @@
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "math_extra.h"
 #include "modify.h"
+#include "neighbor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +28,10 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 static constexpr char STORE_ID[] = "POTDEM_BONDS";
-// of what the fix itself writes; a bond's memory has more columns if a law keeps something of each bond
-static constexpr double RESTART_VERSION = 2.0, RESTART_WITH_STATE = 3.0;
+// of the longest bond, so that not each rebuild begins twice; and what is less than this of the reach there is counts as
+// shorter
+static constexpr double SPARE_REACH = 1.05, LEAST_CHANGE = 0.9;
+static constexpr double RESTART_VERSION = 4.0;    // of what the fix itself writes
 
 /* ---------------------------------------------------------------------- */
 
@@ -77,7 +81,7 @@ bool FixPotdemBondHistory::intact() const
 /* ---------------------------------------------------------------------- */
 
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
-    FixBondHistory(lmp, narg, arg), generation(0), ghost_cutoff(-1.0),
+    FixBondHistory(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0), widest(0.0),
     all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
@@ -92,7 +96,7 @@ FixPotdemBondHistory::~FixPotdemBondHistory()
 
 int FixPotdemBondHistory::setmask()
 {
-  const int lists = POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+  const int lists = PRE_NEIGHBOR | MIN_PRE_NEIGHBOR | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
   return NSTATE > 0 ? lists | PRE_EXCHANGE | MIN_PRE_EXCHANGE : lists;
 }
 
@@ -130,6 +134,81 @@ void FixPotdemBondHistory::post_run()
   pre_exchange();
 }
 
+/* ----------------------------------------------------------------------
+   Ghosts reach the far end of the longest bond as it is now, no further: what a step costs in communication. They were
+   acquired with the cutoff of the last time; where that was too short, or longer than it need be, they are acquired anew
+------------------------------------------------------------------------- */
+
+void FixPotdemBondHistory::setup_pre_neighbor()
+{
+  pre_neighbor();
+}
+
+void FixPotdemBondHistory::pre_neighbor()
+{
+  const bool alone =
+      comm->nprocs == 1 && !domain->xperiodic && !domain->yperiodic && !domain->zperiodic;
+  if (alone || !follows_bonds()) return;
+  // a far end that is not here has an unknown distance: once more, with the widest reach first
+  for (double most = HUGE_VAL; most == HUGE_VAL;) {
+    const double now = MAX(ghost_cutoff, neighbor->cutneighmax);
+    most = longest_now();
+    if (most <= now && SPARE_REACH * most > LEAST_CHANGE * ghost_cutoff) return;
+    const double wanted = MAX(MIN(SPARE_REACH * most, widest), neighbor->cutneighmax);
+    if (wanted == now) return;
+    comm->cutghostuser = ghost_cutoff = wanted;
+    acquire_ghosts();
+  }
+}
+
+void FixPotdemBondHistory::min_pre_neighbor()
+{
+  pre_neighbor();
+}
+
+// at set-up, where nobody knows yet how long the bonds are
+void FixPotdemBondHistory::reach_at_most(double cutoff)
+{
+  comm->cutghostuser = ghost_cutoff = widest = cutoff;
+}
+
+bool FixPotdemBondHistory::follows_bonds() const
+{
+  return comm->cutghostuser == ghost_cutoff;
+}
+
+// infinite if the far end of a bond is not here. What lies beyond a periodic boundary is a ghost, too
+double FixPotdemBondHistory::longest_now() const
+{
+  double most2 = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      const int j = atom->map(atom->bond_atom[i][m]);
+      if (j < 0) {
+        most2 = HUGE_VAL;
+        continue;
+      }
+      double del[3];
+      MathExtra::sub3(atom->x[j], atom->x[i], del);
+      PotdemCompat::minimum_image(domain, del);
+      most2 = MAX(most2, MathExtra::lensq3(del));
+    }
+  MPI_Allreduce(&most2, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return sqrt(all);
+}
+
+void FixPotdemBondHistory::acquire_ghosts()
+{
+  if (domain->triclinic) domain->x2lamda(atom->nlocal);
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixPotdemBondHistory::setup_post_neighbor()
 {
   post_neighbor();
@@ -139,6 +218,7 @@ void FixPotdemBondHistory::setup_post_neighbor()
 void FixPotdemBondHistory::post_neighbor()
 {
   generation++;
+  parted.forget();
 }
 
 void FixPotdemBondHistory::min_post_neighbor()
@@ -151,10 +231,9 @@ double **FixPotdemBondHistory::values() const
   return atom->darray[index];
 }
 
-void FixPotdemBondHistory::store(int i, int m, double length, double section, double area)
+void FixPotdemBondHistory::store(int i, int m, double length, double area)
 {
   update_atom_value(i, m, LENGTH, length);
-  update_atom_value(i, m, SECTION, section);
   update_atom_value(i, m, AREA, area);
   std::fill_n(state(i, m), NSTATE, 0.0);
 }
@@ -262,8 +341,7 @@ bigint FixPotdemBondHistory::measure_new_bonds()
       const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
       const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
                              x[high][2] - x[low][2]};
-      store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]),
-            POTDEM::truss_section(atom->radius[i] + atom->radius[j]));
+      store(i, m, sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]));
       ends++;
     }
   return ends;
@@ -285,16 +363,15 @@ void FixPotdemBondHistory::remove(int i, int m)
 }
 
 /* ----------------------------------------------------------------------
-   LAMMPS's restart files keep the communication cutoff, but not whose it is. The files of versions that kept failed bonds
-   in LAMMPS's list have one word here, which is 0 or 1: with this version those bonds would be whole again. Those whose
-   laws keep another number of values of each bond cannot be read
+   LAMMPS's restart files keep the communication cutoff, but not whose it is. Files of versions that kept other values of
+   each bond cannot be read, nor those whose laws do
 ------------------------------------------------------------------------- */
 
 void FixPotdemBondHistory::write_restart(FILE *fp)
 {
   pre_exchange();
-  const double state[3] = {NSTATE > 0 ? RESTART_WITH_STATE : RESTART_VERSION, ghost_cutoff, NSTATE};
-  const int size = (NSTATE > 0 ? 3 : 2) * sizeof(double);
+  const double state[] = {RESTART_VERSION, ghost_cutoff, NSTATE};
+  const int size = sizeof(state);
   if (comm->me != 0) return;
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(state, size, 1, fp);
@@ -303,12 +380,11 @@ void FixPotdemBondHistory::write_restart(FILE *fp)
 void FixPotdemBondHistory::restart(char *buf)
 {
   const auto state = reinterpret_cast<const double *>(buf);
-  if (state[0] != RESTART_VERSION && state[0] != RESTART_WITH_STATE)
+  if (state[0] != RESTART_VERSION)
     error->all(FLERR,
-               "The restart file was written by a version of POTDEM that kept failed bonds in it; "
-               "continue it with "
-               "that version, or begin anew");
-  const double nstate = state[0] == RESTART_WITH_STATE ? state[2] : 0.0;
+               "The restart file was written by a version of POTDEM that kept other values of each "
+               "bond; continue it with that version, or begin anew");
+  const double nstate = state[2];
   if (nstate != NSTATE)
     error->all(
         FLERR,

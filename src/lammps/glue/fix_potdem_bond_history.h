@@ -3,7 +3,7 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* What a bond remembers: its reference length, its section and what its law keeps of it, in LAMMPS's own FixBondHistory
+/* What a bond remembers: its reference length, its area and what its law keeps of it, in LAMMPS's own FixBondHistory
    (which carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's
    lists. Created by potdem_bonds or a bond style, one per simulation. */
 
@@ -12,6 +12,7 @@
 
 #include "core/laws/law_list.h"
 #include "lammps/glue/interfaces.h"
+#include "lammps/glue/potdem_pair_lists.h"
 
 #include "fix_bond_history.h"
 
@@ -26,7 +27,7 @@ class FixPotdemBondHistory : public FixBondHistory {
   // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
   // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again.
   // STATE: the first of those that laws keep, all 0 at first
-  enum { LENGTH, SECTION, AREA, STATE };
+  enum { LENGTH, AREA, STATE };
   static constexpr int NSTATE = POTDEM::most_bond_state(), NDATA = STATE + NSTATE;
 
   static FixPotdemBondHistory *find(LAMMPS *);
@@ -42,16 +43,18 @@ class FixPotdemBondHistory : public FixBondHistory {
   void pre_exchange() override;
   void min_pre_exchange() override;
   void post_run() override;
+  void setup_pre_neighbor() override;
+  void pre_neighbor() override;
+  void min_pre_neighbor() override;
   void setup_post_neighbor() override;
   void post_neighbor() override;
   void min_post_neighbor() override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  void store(int i, int slot, double length, double section, double area = 0.0);
+  void store(int i, int slot, double length, double area = 0.0);
   void store_area(int i, int slot, double area);
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
-  double section(int i, int slot) const { return values()[i][slot * NDATA + SECTION]; }
   double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
   double *state(int i, int slot) const { return &values()[i][slot * NDATA + STATE]; }
 
@@ -62,6 +65,8 @@ class FixPotdemBondHistory : public FixBondHistory {
   bigint measure_new_bonds();      // they get the present length; how many there were on this rank
   void remove(int i, int slot);    // bond of owned atom i
 
+  // pairs of bonds that failed since the last rebuild
+  PotdemPairLists parted;
   // pairs that a crack cuts, until the pair styles have taken them
   std::vector<PotdemNewContact> new_contacts;
 
@@ -75,8 +80,10 @@ class FixPotdemBondHistory : public FixBondHistory {
   void unpack_reverse_comm(int, int *, double *) override;
 
   int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
-  double
-      ghost_cutoff;    // the communication cutoff that the bond style set, not the user; < 0: none
+  // the communication cutoff that bonds need, if the user has not set one; < 0: none
+  double ghost_cutoff, widest;
+  bool follows_bonds() const;
+  void reach_at_most(double cutoff);
 
  private:
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
@@ -86,6 +93,8 @@ class FixPotdemBondHistory : public FixBondHistory {
   double **values() const;
   bool intact() const;
   double longest_new_bond() const;
+  double longest_now() const;
+  void acquire_ghosts();
 };
 
 }    // namespace LAMMPS_NS

@@ -67,8 +67,8 @@ struct PotdemNewContact {
 // contacts that remember
 class ContactMemory : public Interface {
  public:
-  virtual void
-  expect_contacts(const std::vector<PotdemNewContact> &) = 0;    // the same on all ranks
+  // at once, on each rank that owns one of the two
+  virtual void expect_contacts(const std::vector<PotdemNewContact> &) = 0;
   virtual void lose_contacts() = 0;    // somebody removes the fix that keeps them
 };
 
@@ -99,7 +99,6 @@ class BreakableBonds : public Interface {
     int i, j, type;    // owned atom, its partner
   };
   virtual bool owns(int type) const = 0;
-  virtual void follow_lists() = 0;    // those of the latest rebuild
   virtual const std::vector<Overstretched> &overstretched() const = 0;    // in the last forces
   virtual double energy_of_bond(int type, double r2, int i, int j) = 0;
   virtual void cut(int i, tagint partner) = 0;    // no force from here on

@@ -139,18 +139,17 @@ bool FixPotdemContacts::pages_will_change() const
    the values go from the neighbour list to the particles before they move, and back into the new list
 ------------------------------------------------------------------------- */
 
-void FixPotdemContacts::setup_pre_exchange()
-{
-  add_expected();
-  expected.clear();
-}
-
 void FixPotdemContacts::pre_exchange()
 {
   if (!pair) return;
+  give_to_particles();
+  stored = true;
+}
+
+void FixPotdemContacts::give_to_particles()
+{
   FixNeighHistory::pre_exchange();
   add_aside();
-  add_expected();
 }
 
 void FixPotdemContacts::post_neighbor()
@@ -158,16 +157,12 @@ void FixPotdemContacts::post_neighbor()
   if (!pair) return;
   FixNeighHistory::post_neighbor();
   set_aside();
-  expected.clear();
   stored = false;
 }
 
 void FixPotdemContacts::post_run()
 {
-  if (stored || !pair) return;
-  pre_exchange();
-  expected.clear();
-  stored = true;
+  if (!stored) pre_exchange();
 }
 
 // with newton on LAMMPS asks the rank that has the pair in its list for what the other's owner is to keep, in a way that
@@ -195,47 +190,80 @@ void FixPotdemContacts::set_aside()
     remembering += static_cast<bigint>(listed.size());
     for (int k = 0; k < npartner[i]; k++)
       if (std::find(listed.begin(), listed.end(), partner[i][k]) == listed.end())
-        aside.push_back({i, partner[i][k], valuepartner[i][dnum * static_cast<bigint>(k)]});
+        keep_aside(i, partner[i][k], valuepartner[i][dnum * static_cast<bigint>(k)]);
   }
 }
 
 // the list of the other particle may have had the pair
 void FixPotdemContacts::add_aside()
 {
-  for (const auto &one : aside)
-    if (one.distance > 0.0 && place_of_partner(one.i, one.partner) < 0)
-      *add_partner(one.i, one.partner) = one.distance;
+  for (const auto &[pair, distance] : aside)
+    if (place_of_partner(pair.first, pair.second) < 0)
+      *add_partner(pair.first, pair.second) = distance;
 }
 
 // between runs the particles have moved on already, unlike those of the last neighbour list
 void FixPotdemContacts::write_restart(FILE *fp)
 {
-  if (stored)
-    setup_pre_exchange();
-  else
-    pre_exchange();
+  if (pair && !stored) give_to_particles();
   const int size = 0;
   if (comm->me == 0) fwrite(&size, sizeof(int), 1, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
+// on a rank that owns one of the two or both, when the pair is in the list, if it comes there at all before the next rebuild
 void FixPotdemContacts::expect(const std::vector<PotdemNewContact> &contacts)
 {
-  expected.insert(expected.end(), contacts.begin(), contacts.end());
+  if (!ipage_atom) allocate_pages();
+  for (const auto &contact : contacts) {
+    bool listed = false;
+    for_owned(contact, [&](int i, tagint tag) {
+      if (stored)
+        set_partner(i, tag, contact.distance);
+      else if (set_listed(i, tag, contact.distance))
+        listed = true;
+    });
+    if (stored) continue;
+    for_owned(contact, [&](int i, tagint tag) {
+      keep_aside(i, tag, listed ? 0.0 : contact.distance);
+    });
+  }
 }
 
-void FixPotdemContacts::add_expected()
+template <class Act>
+void FixPotdemContacts::for_owned(const PotdemNewContact &contact, Act act) const
 {
-  const auto owned = [this](tagint tag) {
-    const int i = atom->map(tag);
-    return i < atom->nlocal ? i : -1;
-  };
-  for (const auto &contact : expected) {
-    const int i = owned(contact.first), j = owned(contact.second);
-    if (i >= 0) set_partner(i, contact.second, contact.distance);
-    if (j >= 0) set_partner(j, contact.first, contact.distance);
+  const tagint tags[2] = {contact.first, contact.second};
+  for (int end = 0; end < 2; end++) {
+    const int i = atom->map(tags[end]);
+    if (i >= 0 && i < atom->nlocal) act(i, tags[1 - end]);
   }
+}
+
+// in the list of particle i; a pair that was bonded again and failed again begins anew. false: it is not there
+bool FixPotdemContacts::set_listed(int i, tagint tag, double distance)
+{
+  const auto *const list = pair->list;
+  if (list->iskip && list->iskip[atom->type[i]]) return false;
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    if (atom->tag[list->firstneigh[i][jj] & NEIGHMASK] != tag) continue;
+    double *const values = firstvalue[i] + dnum * static_cast<bigint>(jj);
+    std::fill_n(values, dnum, 0.0);
+    *values = distance;
+    firstflag[i][jj] = distance > 0.0;
+    remembering++;
+    return true;
+  }
+  return false;
+}
+
+void FixPotdemContacts::keep_aside(int i, tagint tag, double distance)
+{
+  if (distance > 0.0)
+    aside[{i, tag}] = distance;
+  else
+    aside.erase({i, tag});
 }
 
 // -1: not there

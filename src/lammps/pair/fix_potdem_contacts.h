@@ -9,8 +9,8 @@
    the two touch), then what the tangential law remembers while they touch.
 
    A contact that begins otherwise than by touch (the pair of a bond that failed, or that a crack cuts) is announced with what
-   it is to remember, on all ranks, and is in the lists from the next rebuild on. It remembers the distance for good: LAMMPS
-   forgets pairs that leave the neighbour list, so those are kept with their particles meanwhile. */
+   it is to remember, on the ranks that own one of the two. It remembers the distance for good: LAMMPS forgets pairs that leave
+   the neighbour list, so those are kept with their particles meanwhile. */
 
 #ifndef LMP_FIX_POTDEM_CONTACTS_H
 #define LMP_FIX_POTDEM_CONTACTS_H
@@ -20,7 +20,9 @@
 #include "fix_neigh_history.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -38,9 +40,9 @@ class FixPotdemContacts : public FixNeighHistory {
   FixPotdemContacts(LAMMPS *, int, char **);
   ~FixPotdemContacts() override;
   void init() override;
-  void setup_pre_exchange() override;
   void pre_exchange() override;
   void post_neighbor() override;
+  void setup(int) override { stored = false; }
   void post_run() override;
   void write_restart(FILE *) override;
   void unpack_restart(int, int) override;
@@ -87,15 +89,11 @@ class FixPotdemContacts : public FixNeighHistory {
   void pre_exchange_newton() override;
 
  private:
-  std::vector<PotdemNewContact> expected;    // the same on all ranks
-  struct Aside {
-    int i;    // owned particle
-    tagint partner;
-    double distance;
-  };
-  std::vector<Aside> aside;    // of pairs that are not in this rank's list
-  bool stored;                 // with the particles, as between runs; else with the neighbour list
-  bigint remembering;          // contacts of this rank's list, at most
+  // of pairs that are not in this rank's list: owned particle and partner
+  std::map<std::pair<int, tagint>, double> aside;
+  bool
+      stored;    // with the particles, as between runs and in a rebuild; else with the neighbour list
+  bigint remembering;    // contacts of this rank's list, at most
 
   struct Kept {
     int i;    // owned particle
@@ -106,7 +104,11 @@ class FixPotdemContacts : public FixNeighHistory {
   std::vector<Kept> all_kept() const;
   void add_kept(const std::vector<Kept> &);
   bool pages_will_change() const;
-  void add_expected();
+  void give_to_particles();
+  // of its two particles, with the other's ID
+  template <class Act> void for_owned(const PotdemNewContact &, Act) const;
+  bool set_listed(int i, tagint, double distance);
+  void keep_aside(int i, tagint, double distance);
   void set_aside();
   void add_aside();
   int place_of_partner(int i, tagint) const;
