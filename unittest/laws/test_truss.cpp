@@ -72,6 +72,18 @@ TEST(Truss, FourLoadsHaveTheBitsOfOne)
   }
 }
 
+TEST(Truss, FourEnergiesHaveTheBitsOfOne)
+{
+  for (const int m : {0, 4}) {
+    const auto kernel = truss(m, false);
+    const Four x{0.9, 0.999, 1.001, 4.2}, unit{1.0, 2.0, 3.0, 4.0}, energy = kernel.energy(x, unit);
+    for (int k = 0; k < 4; k++) {
+      EXPECT_EQ(energy[k], kernel.energy(x[k], unit[k]));
+      EXPECT_NEAR(energy[k], kernel.evaluate(x[k], 1.0, unit[k]).energy, 1e-15 * energy[k]);
+    }
+  }
+}
+
 TEST(Truss, EnergyForceAndStiffnessBelongTogether)
 {
   for (const double x : stretches)

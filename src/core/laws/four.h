@@ -25,6 +25,17 @@ POTDEM_FUNCTION inline double square_root(double a)
   return std::sqrt(a);
 }
 
+POTDEM_FUNCTION inline double sum(double a)
+{
+  return a;
+}
+
+// what a function of one number has for one, or for each of four
+template <class Function> POTDEM_FUNCTION inline double of_each(double a, const Function &function)
+{
+  return function(a);
+}
+
 #ifdef POTDEM_HAS_FOUR
 
 // these vectors are only passed between functions that are inlined: no ABI is concerned
@@ -39,6 +50,14 @@ POTDEM_FUNCTION inline Four square_root(const Four &a)
   Four root;
   for (int m = 0; m < 4; m++) root[m] = std::sqrt(a[m]);
   return root;
+}
+
+template <class Function>
+POTDEM_FUNCTION inline Four of_each(const Four &a, const Function &function)
+{
+  Four found;
+  for (int m = 0; m < 4; m++) found[m] = function(a[m]);
+  return found;
 }
 
 // in a row in memory
@@ -60,8 +79,9 @@ struct Four3 {
   Four x, y, z;
 
   Four3() = default;
-  // rows p[0] to p[3] of an array, less `from`
-  POTDEM_FUNCTION Four3(const double (*rows)[3], const int *p, const double *from)
+  // rows p[0] to p[3] of an array, less `from`: three columns
+  template <int COLUMNS>
+  POTDEM_FUNCTION Four3(const double (*rows)[COLUMNS], const int *p, const double *from)
   {
     const Two a = read_vector<Two>(rows[p[0]]), b = read_vector<Two>(rows[p[1]]),
               c = read_vector<Two>(rows[p[2]]), d = read_vector<Two>(rows[p[3]]);

@@ -36,7 +36,7 @@ POTDEM_FUNCTION inline double truss_section(double dbar)
 }
 
 // strain from q = (r/re)^2
-POTDEM_FUNCTION inline double truss_strain(double q)
+template <class Number> POTDEM_FUNCTION inline Number truss_strain(const Number &q)
 {
   return 0.5 * (q - 1.0);
 }
@@ -67,16 +67,27 @@ struct Truss {
       return q - 1.0;
     }
 
+    // from x = r/re, of one bond or of four; unit: A E re
+    template <class Number> POTDEM_FUNCTION Number energy(const Number &x, const Number &unit) const
+    {
+      if (has_penetration) {
+        const auto integral = [this](double one) {
+          return factor.integral(one);
+        };
+        return unit * of_each(x, integral);
+      }
+      const Number dx = x - 1.0;
+      return (1.0 / 6.0) * unit * (dx * dx * (x + 2.0));
+    }
+
     // modulus: A E; re: reference length
     POTDEM_FUNCTION Evaluation evaluate(double r, double re, double modulus,
                                         const double * /*state*/ = nullptr) const
     {
-      const double x = r / re, dx = x - 1.0, q = x * x;
-      if (!has_penetration)
-        return {modulus * re * dx * dx * (x + 2.0) / 6.0, -0.5 * modulus * load<false>(q),
-                modulus * x / re};
+      const double x = r / re, q = x * x, stored = energy(x, modulus * re);
+      if (!has_penetration) return {stored, -0.5 * modulus * load<false>(q), modulus * x / re};
       const double c = factor.value(x);
-      return {modulus * re * factor.integral(x), -0.5 * modulus * (q - 1.0) * c,
+      return {stored, -0.5 * modulus * (q - 1.0) * c,
               modulus / re * (c * x + factor.slope(x) * truss_strain(q))};
     }
   };

@@ -59,23 +59,32 @@ template <class Law> class BondPotdem : public BondPotdemBase {
     const POTDEM::Strength *strength;
     const typename Law::Kernel *kernel;
     double (*f)[3];
+    bool energy, virial, of_atoms;    // asked for, perhaps of each atom
 
     Inputs(BondPotdem &, double **forces);
+  };
+  // what LAMMPS asks of one thread's bonds as a whole, summed up one by one or four at a time
+  template <class Number> struct Sums {
+    Number energy{}, virial[6]{};
+
+    void add(const Inputs &, const Number &owned, const Number &energy, const Number &pull,
+             const Number *del);
+    void add_to(ThreadShare &) const;
   };
   static constexpr double CRUSHED = FixPotdemMonitor::CRUSHED * FixPotdemMonitor::CRUSHED;
 
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop(ThreadShare &);
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop_over(ThreadShare &);
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
-  bool take(const Inputs &, ThreadShare &, int i, int n, int ghosts, double *force);
+  bool take(const Inputs &, ThreadShare &, int i, int n, int ghosts, double *force, Sums<double> &);
 #ifdef POTDEM_WIDE_CODE
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP> void loop_avx2(ThreadShare &);
 #endif
 #ifdef POTDEM_HAS_FOUR
   template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
-  bool take_four(const Inputs &, const ThreadShare &, int i, int n, int ghosts, POTDEM::Four3 &sum);
+  bool take_four(const Inputs &, const ThreadShare &, int i, int n, int ghosts,
+                 POTDEM::Four3 &force, Sums<POTDEM::Four> &);
 #endif
-  double energy_at(int n, double q, const double *state) const;    // q: (r/re)^2
 };
 
 }    // namespace LAMMPS_NS

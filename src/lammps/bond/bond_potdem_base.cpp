@@ -338,6 +338,8 @@ void BondPotdemBase::collect(const ThreadShare &share)
   if (share.i >= 0) collapsed(share.i, share.j);
   if (monitor && share.crushed >= 0) suspect(share.crushed_i, share.crushed);
   over.insert(over.end(), share.over.begin(), share.over.end());
+  energy += share.energy;
+  for (int k = 0; k < 6; k++) virial[k] += share.virial[k];
 }
 
 // viscous force on i; the rank of a ghost notes its own
@@ -371,10 +373,10 @@ void BondPotdemBase::collapsed(int i, int j) const
              update->ntimestep);
 }
 
-void BondPotdemBase::tally(const ThreadShare &, int i, int j, double energy, double push,
+void BondPotdemBase::tally(const ThreadShare &, int i, int j, double of_bond, double pull,
                            const double *del)
 {
-  ev_tally(i, j, atom->nlocal, 0, energy, push, del[0], del[1], del[2]);
+  ev_tally(i, j, atom->nlocal, 0, of_bond, -pull, del[0], del[1], del[2]);
 }
 
 void BondPotdemBase::cut(int i, tagint partner)

@@ -77,10 +77,11 @@ class BondPotdemBase :
   struct ThreadShare {
     int from, to;
     double **f;
-    class ThrData *thread;               // null: no threads
-    std::vector<Overstretched> over;     // bonds that fail
-    int i = -1, j = -1;                  // a bond without length
-    int crushed_i = -1, crushed = -1;    // one that is hardly longer: owned atom, packed bond
+    class ThrData *thread;                  // null: no threads
+    std::vector<Overstretched> over;        // bonds that fail
+    double energy = 0.0, virial[6] = {};    // unless each atom's are asked for
+    int i = -1, j = -1;                     // a bond without length
+    int crushed_i = -1, crushed = -1;       // one that is hardly longer: owned atom, packed bond
 
     void note_collapsed(int atom, int other)
     {
@@ -104,7 +105,7 @@ class BondPotdemBase :
   void end_work(const std::vector<ThreadShare> &);
   void collect(const ThreadShare &);
   void note(int i, int j, double fx, double fy, double fz);
-  virtual void tally(const ThreadShare &, int i, int j, double energy, double push,
+  virtual void tally(const ThreadShare &, int i, int j, double energy, double pull,
                      const double *del);
   bool read_beside(PotdemInput &, BesideLaw &) const;    // one keyword
 

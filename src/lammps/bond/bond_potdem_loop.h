@@ -31,10 +31,41 @@ POTDEM_FUNCTION inline Number potdem_bond_load(const typename Law::Kernel &kerne
     return kernel.load(q, state);
 }
 
-template <class Law> double BondPotdem<Law>::energy_at(int n, double q, const double *state) const
+// q = (r/re)^2
+template <class Law, class Number>
+POTDEM_FUNCTION inline Number potdem_bond_energy(const typename Law::Kernel &kernel,
+                                                 const Number &r, const Number &q,
+                                                 const Number &half_modulus, const double *state)
 {
-  const double re = bonds.length(n);
-  return kernels[bonds.type[n]].evaluate(sqrt(q) * re, re, bonds.modulus(n), state).energy;
+  const Number x = POTDEM::square_root(q), re = r / x;
+  if constexpr (POTDEM::is_wide<Law>(0))
+    return kernel.energy(x, 2.0 * half_modulus * re);
+  else
+    return kernel.evaluate(r, re, 2.0 * half_modulus, state).energy;
+}
+
+// owned: the share of owned ends
+template <class Law>
+template <class Number>
+POTDEM_FUNCTION inline void
+BondPotdem<Law>::Sums<Number>::add(const Inputs &in, const Number &owned, const Number &of_bond,
+                                   const Number &pull, const Number *del)
+{
+  if (in.energy) energy += owned * of_bond;
+  if (!in.virial) return;
+  const Number push = -owned * pull;
+  for (int k = 0; k < 3; k++) virial[k] += push * del[k] * del[k];
+  virial[3] += push * del[0] * del[1];
+  virial[4] += push * del[0] * del[2];
+  virial[5] += push * del[1] * del[2];
+}
+
+template <class Law>
+template <class Number>
+POTDEM_FUNCTION inline void BondPotdem<Law>::Sums<Number>::add_to(ThreadShare &share) const
+{
+  share.energy += POTDEM::sum(energy);
+  for (int k = 0; k < 6; k++) share.virial[k] += POTDEM::sum(virial[k]);
 }
 
 template <class Law>
@@ -44,7 +75,8 @@ BondPotdem<Law>::Inputs::Inputs(BondPotdem &style, double **forces) :
     inverse_length2(style.bonds.inverse_length2.data()),
     half_modulus(style.bonds.half_modulus.data()), dashpot(style.bonds.dashpot.data()),
     scale(style.bonds.strength.data()), strength(style.strengths.of_types()),
-    kernel(style.kernels.data()), f((double (*)[3]) forces[0])
+    kernel(style.kernels.data()), f((double (*)[3]) forces[0]), energy(style.eflag_either),
+    virial(style.vflag_either), of_atoms(style.eflag_atom || style.vflag_atom)
 {
 }
 
@@ -69,6 +101,10 @@ template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
 POTDEM_FUNCTION inline void BondPotdem<Law>::loop_over(ThreadShare &share)
 {
   const Inputs in(*this, share.f);
+  Sums<double> sums;
+#ifdef POTDEM_HAS_FOUR
+  Sums<POTDEM::Four> sums_of_four;
+#endif
   for (int i = share.from; i < share.to; i++) {
     const int end = bonds.first[i + 1], ghosts = bonds.ghosts[i];
     int n = bonds.first[i];
@@ -78,9 +114,10 @@ POTDEM_FUNCTION inline void BondPotdem<Law>::loop_over(ThreadShare &share)
     if constexpr (Law::STATE == 0 && POTDEM::is_wide<Law>(0)) {
       POTDEM::Four3 pulls{};
       for (; n + 4 <= end; n += 4) {
-        if (take_four<EV, FAIL, PENETRATION, DAMP>(in, share, i, n, ghosts, pulls)) continue;
+        if (take_four<EV, FAIL, PENETRATION, DAMP>(in, share, i, n, ghosts, pulls, sums_of_four))
+          continue;
         for (int m = n; m < n + 4; m++)
-          if (!take<EV, FAIL, PENETRATION, DAMP>(in, share, i, m, ghosts, force)) return;
+          if (!take<EV, FAIL, PENETRATION, DAMP>(in, share, i, m, ghosts, force, sums)) return;
       }
       force[0] += POTDEM::sum(pulls.x);
       force[1] += POTDEM::sum(pulls.y);
@@ -88,8 +125,14 @@ POTDEM_FUNCTION inline void BondPotdem<Law>::loop_over(ThreadShare &share)
     }
 #endif
     for (; n < end; n++)
-      if (!take<EV, FAIL, PENETRATION, DAMP>(in, share, i, n, ghosts, force)) return;
+      if (!take<EV, FAIL, PENETRATION, DAMP>(in, share, i, n, ghosts, force, sums)) return;
     for (int k = 0; k < 3; k++) in.f[i][k] += force[k];
+  }
+  if constexpr (EV) {
+    sums.add_to(share);
+#ifdef POTDEM_HAS_FOUR
+    sums_of_four.add_to(share);
+#endif
   }
 }
 
@@ -97,7 +140,8 @@ POTDEM_FUNCTION inline void BondPotdem<Law>::loop_over(ThreadShare &share)
 template <class Law>
 template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
 POTDEM_FUNCTION inline bool BondPotdem<Law>::take(const Inputs &in, ThreadShare &share, int i,
-                                                  int n, int ghosts, double *force)
+                                                  int n, int ghosts, double *force,
+                                                  Sums<double> &sums)
 {
   const int j = in.partner[n], type = in.type[n];
   const double *const xi = in.x[i], *const xj = in.x[j];
@@ -113,16 +157,19 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take(const Inputs &in, ThreadShare 
   }
 
   // tension over distance
-  const double inverse_r = 1.0 / sqrt(r2);
+  const double r = sqrt(r2), inverse_r = 1.0 / r;
   double *const state = Law::STATE > 0 ? bonds.state_of(n) : nullptr;
   const double load = potdem_bond_load<PENETRATION, Law>(in.kernel[type], q, state);
   const double scale = FAIL == BondStrengths::BY_BOND ? in.scale[n] : 1.0;
   if (FAIL && in.strength[type].reached_by(load, scale)) share.over.push_back({i, j, type});
   double pull = in.half_modulus[n] * load * inverse_r;
   if (EV) {
-    const double apart[3] = {-del[0], -del[1], -del[2]};
-    const double energy = eflag_either ? energy_at(n, q, state) : 0.0;
-    tally(share, i, j, energy, -pull, apart);
+    const double energy =
+        in.energy ? potdem_bond_energy<Law>(in.kernel[type], r, q, in.half_modulus[n], state) : 0.0;
+    if (in.of_atoms)
+      tally(share, i, j, energy, pull, del);
+    else
+      sums.add(in, n < ghosts ? 1.0 : 0.5, energy, pull, del);
   }
   if (DAMP) {
     const double *const vi = in.v[i], *const vj = in.v[j];
@@ -142,7 +189,8 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take(const Inputs &in, ThreadShare 
 template <class Law>
 template <bool EV, int FAIL, bool PENETRATION, bool DAMP>
 POTDEM_FUNCTION inline bool BondPotdem<Law>::take_four(const Inputs &in, const ThreadShare &share,
-                                                       int i, int n, int ghosts, POTDEM::Four3 &sum)
+                                                       int i, int n, int ghosts, POTDEM::Four3 &sum,
+                                                       Sums<POTDEM::Four> &sums)
 {
   using POTDEM::Four;
   const int *const partner = in.partner + n;
@@ -159,14 +207,24 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take_four(const Inputs &in, const T
     doubtful |= in.strength[type].reached_by(load, 1.0);
   if (POTDEM::any(doubtful)) return false;
 
-  const Four inverse_r = 1.0 / POTDEM::square_root(r2);
-  Four pull = POTDEM::read_vector<Four>(in.half_modulus + n) * load * inverse_r;
-  if constexpr (EV)
-    for (int m = 0; m < 4; m++) {
-      const double apart[3] = {-del.x[m], -del.y[m], -del.z[m]};
-      const double energy = eflag_either ? energy_at(n + m, q[m], nullptr) : 0.0;
-      tally(share, i, partner[m], energy, -pull[m], apart);
+  const Four r = POTDEM::square_root(r2), inverse_r = 1.0 / r;
+  const Four half_modulus = POTDEM::read_vector<Four>(in.half_modulus + n);
+  Four pull = half_modulus * load * inverse_r;
+  if constexpr (EV) {
+    const Four energy =
+        in.energy ? potdem_bond_energy<Law>(in.kernel[type], r, q, half_modulus, nullptr) : Four{};
+    if (in.of_atoms)
+      for (int m = 0; m < 4; m++) {
+        const double apart[3] = {del.x[m], del.y[m], del.z[m]};
+        tally(share, i, partner[m], energy[m], pull[m], apart);
+      }
+    else {
+      Four owned;
+      for (int m = 0; m < 4; m++) owned[m] = n + m < ghosts ? 1.0 : 0.5;
+      const Four to[3] = {del.x, del.y, del.z};
+      sums.add(in, owned, energy, pull, to);
     }
+  }
   if constexpr (DAMP) {
     const POTDEM::Four3 apart(in.v, partner, in.v[i]);
     const Four damp =

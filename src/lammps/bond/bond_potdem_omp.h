@@ -18,10 +18,10 @@ template <class Law> class BondPotdemOMP : public PotdemOMP<BondPotdem<Law>, Tim
  protected:
   using typename BondPotdemBase::ThreadShare;
 
-  void tally(const ThreadShare &share, int i, int j, double energy, double push,
+  void tally(const ThreadShare &share, int i, int j, double energy, double pull,
              const double *del) override
   {
-    this->ev_tally_thr(this, i, j, this->atom->nlocal, 0, energy, push, del[0], del[1], del[2],
+    this->ev_tally_thr(this, i, j, this->atom->nlocal, 0, energy, -pull, del[0], del[1], del[2],
                        share.thread);
   }
 };

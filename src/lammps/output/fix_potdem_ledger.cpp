@@ -28,10 +28,10 @@ FixPotdemLedger *FixPotdemLedger::find(LAMMPS *lmp)
 }
 
 FixPotdemLedger::FixPotdemLedger(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), threads(false), wall_power(0.0), slip_power(), step(0.0), booked(), rate(),
-    begun(false), springs(0.0)
+    Fix(lmp, narg, arg), noted(), threads(false), wall_power(0.0), slip_power(), step(0.0),
+    booked(), rate(), begun(false), springs(0.0)
 {
-  comm_reverse = WIDTH;
+  comm_reverse = 3 * NFORCES;
   restart_global = 1;
 }
 
@@ -55,7 +55,12 @@ void FixPotdemLedger::setup_pre_force(int vflag)
 
 void FixPotdemLedger::pre_force(int /*vflag*/)
 {
-  forces.assign(atom->nmax, {});
+  for (int which = 0; which < NFORCES; which++) {
+    auto &rows = forces[which];
+    if (noted[which] || rows.size() != static_cast<std::size_t>(atom->nmax))
+      rows.assign(atom->nmax, {});
+    noted[which] = false;
+  }
   step = update->dt;
   wall_power = 0.0;
   for (double &power : slip_power) power = 0.0;
@@ -77,20 +82,25 @@ void FixPotdemLedger::end_of_step()
   rate = now;
 }
 
+// of what is noted on the particles that this rank owns, with their velocities
+double FixPotdemLedger::power(int which, double **v) const
+{
+  double sum = 0.0;
+  if (!noted[which]) return sum;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const auto &f = forces[which][i];
+    sum += f[0] * v[i][0] + f[1] * v[i][1] + f[2] * v[i][2];
+  }
+  return sum;
+}
+
 // heat of each kind, and work of the walls, per time
 std::array<double, FixPotdemLedger::NKINDS + 1> FixPotdemLedger::powers()
 {
   if (force->newton_pair) comm->reverse_comm(this);
   std::array<double, NKINDS + 1> mine{}, all{};
-  for (int i = 0; i < atom->nlocal; i++) {
-    const auto &f = forces[i];
-    const double *v = atom->v[i];
-    for (int kind = 0; kind < NKINDS; kind++)
-      mine[kind] -= f[3 * kind] * v[0] + f[3 * kind + 1] * v[1] + f[3 * kind + 2] * v[2];
-    if (atom->omega_flag)
-      for (int k = 0; k < 3; k++) mine[FRICTION] -= f[3 * NKINDS + k] * atom->omega[i][k];
-  }
-  for (int kind = 0; kind < NKINDS; kind++) mine[kind] += slip_power[kind];
+  for (int kind = 0; kind < NKINDS; kind++) mine[kind] = slip_power[kind] - power(kind, atom->v);
+  if (atom->omega_flag) mine[FRICTION] -= power(TORQUE, atom->omega);
   mine[NKINDS] = wall_power;
   MPI_Allreduce(mine.data(), all.data(), NKINDS + 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
@@ -102,19 +112,26 @@ int FixPotdemLedger::pack_reverse_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++)
-    for (const double value : forces[i]) buf[m++] = value;
+    for (const auto &rows : forces)
+      for (const double value : rows[i]) buf[m++] = value;
   return m;
 }
 
 void FixPotdemLedger::unpack_reverse_comm(int n, int *list, double *buf)
 {
   for (int k = 0; k < n; k++)
-    for (double &value : forces[list[k]]) value += *buf++;
+    for (int which = 0; which < NFORCES; which++, buf += 3) {
+      if (buf[0] == 0.0 && buf[1] == 0.0 && buf[2] == 0.0) continue;
+      auto &sum = begin(which)[list[k]];
+      for (int c = 0; c < 3; c++) sum[c] += buf[c];
+    }
 }
 
 double FixPotdemLedger::memory_usage()
 {
-  return static_cast<double>(forces.capacity() * sizeof(forces[0]));
+  double bytes = 0.0;
+  for (const auto &rows : forces) bytes += static_cast<double>(rows.capacity() * sizeof(rows[0]));
+  return bytes;
 }
 
 // files from before there were springs begin with the heat of friction, which is not negative

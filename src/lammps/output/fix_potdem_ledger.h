@@ -15,6 +15,7 @@
 #include "fix.h"
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -40,7 +41,7 @@ class FixPotdemLedger : public Fix {
 
   void add(Kind kind, int i, double fx, double fy, double fz)
   {
-    double *force = forces[i].data() + 3 * kind;
+    auto &force = begin(kind)[i];
     add(force[0], fx);
     add(force[1], fy);
     add(force[2], fz);
@@ -48,7 +49,8 @@ class FixPotdemLedger : public Fix {
 
   void add_torque(int i, double arm, const double *turn)    // of friction: arm * turn
   {
-    for (int k = 0; k < 3; k++) add(forces[i][3 * NKINDS + k], arm * turn[k]);
+    auto &torque = begin(TORQUE)[i];
+    for (int k = 0; k < 3; k++) add(torque[k], arm * turn[k]);
   }
 
   // a wall that moves with velocity u pushes with f: its work, and what of it is friction or viscous heat
@@ -61,15 +63,24 @@ class FixPotdemLedger : public Fix {
   double springs_then() const { return springs; }    // energy of the springs when it began
 
  private:
-  static constexpr int WIDTH = 3 * NKINDS + 3;
-  std::vector<std::array<double, WIDTH>> forces;    // owned and ghost particles
-  bool threads;                                     // two of them may note forces on one particle
+  // of owned and ghost particles; zeros, and left alone, as long as nobody notes any
+  typedef std::vector<std::array<double, 3>> Forces;
+  static constexpr int TORQUE = NKINDS, NFORCES = NKINDS + 1;
+  std::array<Forces, NFORCES> forces;
+  std::array<std::atomic<bool>, NFORCES> noted;    // since they were zeros
+  bool threads;                                    // two of them may note forces on one particle
   double wall_power, slip_power[NKINDS];
   double step;    // that is being done: a fix may change the next one before this is booked
   std::array<double, NKINDS + 1> booked, rate;    // rate: power of the latest step
   bool begun;
   double springs;
 
+  Forces &begin(int which)
+  {
+    if (!noted[which].load(std::memory_order_relaxed))
+      noted[which].store(true, std::memory_order_relaxed);
+    return forces[which];
+  }
   void add(double &sum, double part) const
   {
     if (threads) {
@@ -79,6 +90,7 @@ class FixPotdemLedger : public Fix {
       sum += part;
     }
   }
+  double power(int which, double **v) const;
   std::array<double, NKINDS + 1> powers();
 };
 

@@ -156,7 +156,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
 
   template <class Batch> static void gather_motion(Batch &, const Particles &, int i, int j, int l);
   template <bool EV, class Batch, class Owners>
-  void take(const ThreadShare &, const Particles &, const Batch &, Owners &);
+  void take(ThreadShare &, const Particles &, const Batch &, Owners &);
   template <class Batch>
   static void take_torques(const Particles &, const Batch &, int i, int j, bool to_both, int l);
   template <class Batch> void book(const Batch &, int i, int j, int l) const;

@@ -56,6 +56,7 @@ class PairPotdemBase :
     int from, to;
     double **f, **torque;
     class ThrData *thread;                   // null: no threads
+    double energy = 0.0;                     // where nothing else is asked for
     int i = -1, j = -1;                      // a pair that has collapsed
     int doubtful_i = -1, doubtful_j = -1;    // one too deep or too stiff for the step
   };

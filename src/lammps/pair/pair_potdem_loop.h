@@ -60,7 +60,10 @@ template <class Law> void PairPotdem<Law>::find_kernel()
 
 template <class Law> void PairPotdem<Law>::end_work(const std::vector<ThreadShare> &shares)
 {
-  for (const auto &one : shares) report(one);
+  for (const auto &one : shares) {
+    report(one);
+    eng_vdwl += one.energy;
+  }
 }
 
 // the smallest kernel that the coefficients need
@@ -223,9 +226,10 @@ inline void PairPotdem<Law>::gather_motion(Batch &batch, const Particles &all, i
 // what a batch has found, contact by contact; the force on the first particle of several contacts is summed up before it is added
 template <class Law>
 template <bool EV, class Batch, class Owners>
-inline void PairPotdem<Law>::take(const ThreadShare &share, const Particles &all,
-                                  const Batch &batch, Owners &lanes)
+inline void PairPotdem<Law>::take(ThreadShare &share, const Particles &all, const Batch &batch,
+                                  Owners &lanes)
 {
+  const bool only_energy = eflag_global && !eflag_atom && !vflag_either;
   for (int l = 0; l < lanes.n; l++) {
     const int i = lanes.i[l], j = lanes.j[l];
     for (int k = 0; k < Batch::STATE; k++) lanes.state[l][k] = batch.state[k][l];
@@ -241,8 +245,12 @@ inline void PairPotdem<Law>::take(const ThreadShare &share, const Particles &all
     if (Batch::SPINS && batch.pressing[l] > 0.0) take_torques(all, batch, i, j, to_both, l);
     if (ledger) book(batch, i, j, l);
     if (EV) {
+      const double energy = batch.weight[l] * batch.energy[l];
       const double del[3] = {batch.del[0][l], batch.del[1][l], batch.del[2][l]};
-      tally(share, i, j, del, batch.weight[l] * batch.energy[l], push);
+      if (only_energy)
+        share.energy += to_both ? energy : 0.5 * energy;
+      else
+        tally(share, i, j, del, energy, push);
     }
   }
   lanes.n = 0;
