@@ -189,3 +189,33 @@ def test_defined_too_late(run_lammps):
     """the body has already moved: say so instead of measuring from the wrong state"""
     script = BODY + "potdem_bonds all 1 1.42\nrun 0\n" + affine(GRADIENTS["stretch"]) + "run 0\n" + STRAIN
     assert "before the bodies move" in run_lammps(script, expect_error="strain").error
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_bonds_that_fail(run_lammps, nprocs):
+    """asked at each step, that of the failure too, before lists are built anew: a bond that has failed counts at neither
+    end from then on, and a strain that is the same everywhere is found from those that are left"""
+    script = BODY + "potdem_bonds all 1 1.42\n" + STRAIN + """
+fix fail all potdem/failure 1 tension 40 scatter weibull 3 7
+compute bonds all reduce sum c_strain[7]
+compute most all reduce max c_strain[1]
+compute least all reduce min c_strain[1]
+compute rank all reduce min c_strain[8]
+variable twice equal 2*bonds
+variable pull atom 0.1*x
+velocity all set v_pull 0 0
+fix move all nve/noforce
+timestep 0.01
+thermo 1
+thermo_style custom step dt time c_bonds v_twice c_most c_least c_rank
+thermo_modify format float %.17g
+run 60
+"""
+    thermo = run_lammps(script, nprocs=nprocs).thermo
+    assert np.array_equal(thermo["c_bonds"], thermo["v_twice"])
+    assert len(set(thermo["v_twice"])) > 5    # in steps
+    whole = thermo["c_rank"] == 6
+    assert whole.sum() > 20 and thermo["c_bonds"][whole][-1] < thermo["c_bonds"][0]
+    stretch = 1 + 0.1 * 0.01 * thermo["Step"]
+    for column in ("c_most", "c_least"):
+        assert thermo[column][whole] == pytest.approx(0.5 * (stretch**2 - 1)[whole], abs=EXACT)

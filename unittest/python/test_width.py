@@ -1,8 +1,8 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Loops are compiled for registers of several widths, and do the same operations in the same order in all of them: a body that breaks and
-grains that rub end in the same bits. POTDEM_WIDTH chooses by hand."""
+"""Loops are compiled for registers of several widths, and do the same operations in the same order in all of them: a body that breaks, its
+energy and its strain, and grains that rub end in the same bits. POTDEM_WIDTH chooses by hand."""
 
 import pytest
 
@@ -26,12 +26,14 @@ bond_coeff 2 120.0 area factor 0.4 damping 0.01
 pair_style potdem/truss
 pair_coeff 1 1 100.0 0.3
 fix fail all potdem/failure 1 tension 4.0 {scatter}
+compute strain all potdem/strain/atom
 variable pull atom 0.6*x
 velocity all set v_pull NULL NULL
 fix move all nve
 timestep 0.02
 run 300
-""" + scripts.result("f_fail") + scripts.write_dump("end.dump", STATE)
+""" + scripts.result("f_fail", "pe", "pxx", "pyz") + scripts.write_dump(
+    "end.dump", STATE + " " + " ".join(f"c_strain[{k}]" for k in range(1, 9)))
 
 # a cube of grains of two types that is thrown into a corner
 RUBBING = scripts.box(24, types=2) + "region body block -3 3 -3 3 -3 3\n" + scripts.crystal(region="body") + """
@@ -57,15 +59,14 @@ def ends(run_lammps, tmp_path, monkeypatch, script):
     for width in WIDTHS:
         monkeypatch.setenv("POTDEM_WIDTH", width)
         run = run_lammps(script)
-        texts.append((tmp_path / "end.dump").read_text())
+        texts.append((tmp_path / "end.dump").read_text() + str(scripts.results(run.stdout).tolist()))
     return run, texts
 
 
 @pytest.mark.parametrize("options, scatter", [("", ""), ("penetration 4 damping 0.01", "scatter weibull 8 3")])
 def test_a_body_that_breaks(run_lammps, tmp_path, monkeypatch, options, scatter):
     run, texts = ends(run_lammps, tmp_path, monkeypatch, BROKEN.format(options=options, scatter=scatter))
-    (failed,), = scripts.results(run.stdout)
-    assert failed > 20
+    assert scripts.results(run.stdout)[0][0] > 20    # failed
     assert texts[0] == texts[1] == texts[2]
 
 

@@ -11,10 +11,11 @@
 
 #include "lammps/output/compute_potdem_strain_atom.h"
 
-#include "core/laws/green_lagrange.h"
+#include "core/laws/four.h"
 #include "core/laws/truss.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
+#include "lammps/glue/potdem_width.h"
 #include "lammps/output/fix_potdem_reference.h"
 
 #include "atom.h"
@@ -25,21 +26,23 @@
 #include "modify.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
 static constexpr int COLUMNS = 8;    // exx eyy ezz exy exz eyz nbonds rank
 static constexpr double SINGULAR =
     1e-10;    // eigenvalues below this fraction of the largest count as zero
+static constexpr double REGULAR = 1e-6;    // well above: nobody need know them
+static constexpr int NONE = -1;
 static constexpr double MOVED =
     1e-6;    // reference positions and reference lengths agree to this fraction
 
 /* ---------------------------------------------------------------------- */
 
 ComputePotdemStrainAtom::ComputePotdemStrainAtom(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), nmax(0), strain(nullptr), history(nullptr)
+    Compute(lmp, narg, arg), nmax(0), strain(nullptr), history(nullptr), generation(NONE)
 {
   if (narg > 3)
     error->all(FLERR, "compute potdem/strain/atom: unknown keyword '{}', it takes none", arg[3]);
@@ -128,34 +131,123 @@ void ComputePotdemStrainAtom::compute_peratom()
   }
   init();
   double **const places = reference();
-  for (int i = 0; i < atom->nlocal; i++) {
-    memset(strain[i], 0, COLUMNS * sizeof(double));
-    if (atom->mask[i] & groupbit) fit(i, places, strain[i]);
-  }
+  take_new_bonds(places);
+#ifdef POTDEM_WIDE_CODE
+  if (potdem_width(lmp) != POTDEM::Width::PLAIN) return fit_all_avx2(places);
+#endif
+  fit_all(places);
 }
 
-void ComputePotdemStrainAtom::fit(int i, double **reference, double *out)
+/* ----------------------------------------------------------------------
+   what stays as long as bonds, ghosts and box do
+------------------------------------------------------------------------- */
+
+void ComputePotdemStrainAtom::take_new_bonds(double **reference)
+{
+  const int nlocal = atom->nlocal;
+  if (generation != history->generation || domain->box_change || update->whichflag == 0) {
+    generation = history->generation;
+    rows.assign(nlocal, Row());
+    partner.clear();
+    inverse_length2.clear();
+  }
+  for (int i = 0; i < nlocal; i++)
+    if ((atom->mask[i] & groupbit) && rows[i].listed != atom->num_bond[i])
+      take_bonds(i, reference, rows[i]);
+}
+
+void ComputePotdemStrainAtom::take_bonds(int i, double **reference, Row &row)
 {
   POTDEM::StrainFit fit;
+  row = Row();
+  row.listed = atom->num_bond[i];
+  row.first = static_cast<int>(partner.size());
   for (int m = 0; m < atom->num_bond[i]; m++) {
     const double re = history->length(i, m);
-    if (atom->bond_type[i][m] <= 0 || re <= 0.0) continue;
+    if (atom->bond_type[i][m] <= 0) continue;
+    if (re <= 0.0) generation = NONE;    // it may have been measured the next time
     const int k = atom->map(atom->bond_atom[i][m]);
-    if (k < 0) continue;
+    if (k < 0 || re <= 0.0) continue;
     const int j = domain->closest_image(i, k);
-    double n[3], del[3];
-    MathExtra::sub3(reference[j], reference[i], n);
-    MathExtra::sub3(atom->x[j], atom->x[i], del);
+    double n[3], direct[3];
+    MathExtra::sub3(reference[j], reference[i], direct);
+    MathExtra::copy3(direct, n);
     PotdemCompat::minimum_image(domain, n);
+    row.crosses = row.crosses || !std::equal(n, n + 3, direct);
     check_length(i, j, re, MathExtra::len3(n));
-    fit.add(n, POTDEM::truss_strain(MathExtra::lensq3(del) / (re * re)));
+    fit.add(n);
+    partner.push_back(j);
+    inverse_length2.push_back(1.0 / (re * re));
   }
-  out[6] = fit.bonds;
+  row.bonds = fit.bonds;
   if (fit.bonds == 0) return;
+  row.rank = 6;
+  if (fit.invert(REGULAR, row.inverse)) return;
   double values[6], vectors[6][6];
   MathEigen::Jacobi<double, double *, double(*)[6], double const(*)[6]>(6).Diagonalize(
       fit.matrix, values, vectors);
-  out[7] = fit.solve(values, vectors, SINGULAR, out);
+  row.rank = fit.invert(values, vectors, SINGULAR, row.inverse);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ComputePotdemStrainAtom::fit_all(double **reference)
+{
+  fit_each(reference);
+}
+
+#ifdef POTDEM_WIDE_CODE
+POTDEM_AVX2 void ComputePotdemStrainAtom::fit_all_avx2(double **reference)
+{
+  fit_each(reference);
+}
+#endif
+
+POTDEM_FUNCTION inline void ComputePotdemStrainAtom::fit_each(double **reference)
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    std::fill_n(strain[i], COLUMNS, 0.0);
+    const auto &row = rows[i];
+    if (!(atom->mask[i] & groupbit) || row.bonds == 0) continue;
+    double sum[6];
+    add_bonds(i, row, (const double(*)[3]) atom->x[0],
+              (const double(*)[FixPotdemReference::COLUMNS]) reference[0], sum);
+    row.inverse.apply(sum, strain[i]);
+    strain[i][6] = row.bonds;
+    strain[i][7] = row.rank;
+  }
+}
+
+template <class Places>
+POTDEM_FUNCTION inline void ComputePotdemStrainAtom::add_bonds(int i, const Row &row,
+                                                               const double (*x)[3],
+                                                               Places reference, double *sum) const
+{
+  const int end = row.first + row.bonds;
+  int n = row.first;
+  std::fill_n(sum, 6, 0.0);
+#ifdef POTDEM_HAS_FOUR
+  if (!row.crosses) {
+    POTDEM::StrainSum<POTDEM::Four> fours;
+    for (; n + 4 <= end; n += 4) {
+      const POTDEM::Four3 before(reference, &partner[n], reference[i]), del(x, &partner[n], x[i]);
+      const POTDEM::Four reference_del[3] = {before.x, before.y, before.z};
+      const auto q = del.dot(del) * POTDEM::read_vector<POTDEM::Four>(&inverse_length2[n]);
+      fours.add(reference_del, POTDEM::truss_strain(q));
+    }
+    for (int k = 0; k < 6; k++) sum[k] = POTDEM::sum(fours.of[k]);
+  }
+#endif
+  POTDEM::StrainSum<double> ones;
+  for (; n < end; n++) {
+    const int j = partner[n];
+    double before[3], del[3];
+    MathExtra::sub3(reference[j], reference[i], before);
+    MathExtra::sub3(x[j], x[i], del);
+    if (row.crosses) PotdemCompat::minimum_image(domain, before);
+    ones.add(before, POTDEM::truss_strain(MathExtra::lensq3(del) * inverse_length2[n]));
+  }
+  for (int k = 0; k < 6; k++) sum[k] += ones.of[k];
 }
 
 void ComputePotdemStrainAtom::check_length(int i, int j, double re, double reference) const
@@ -173,5 +265,8 @@ void ComputePotdemStrainAtom::check_length(int i, int j, double re, double refer
 
 double ComputePotdemStrainAtom::memory_usage()
 {
-  return static_cast<double>(nmax) * COLUMNS * sizeof(double);
+  const double bonds =
+      partner.capacity() * sizeof(int) + inverse_length2.capacity() * sizeof(double);
+  return static_cast<double>(nmax) * COLUMNS * sizeof(double) + rows.capacity() * sizeof(Row) +
+      bonds;
 }
