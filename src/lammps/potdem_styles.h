@@ -22,9 +22,11 @@ BOND_LAWS(POTDEM_BOND_STYLE)
 #undef POTDEM_BOND_STYLE
 #elif defined(FIX_CLASS)
 FixStyle(potdem/damping,FixPotdemDamping);
+FixStyle(potdem/damping/omp,FixPotdemOMP<FixPotdemDamping>);
 FixStyle(potdem/failure,FixPotdemFailure);
 FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
+FixStyle(potdem/wall/region/omp,FixPotdemOMP<FixPotdemWallRegion>);
 FixStyle(POTDEM_BOND_HISTORY,FixPotdemBondHistory);
 FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
 FixStyle(POTDEM_LEDGER,FixPotdemLedger);
@@ -48,6 +50,7 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/bond/fix_potdem_failure.h"
 #include "lammps/bond/potdem_bonds.h"
+#include "lammps/glue/fix_potdem_omp.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/potdem_material.h"
 #include "lammps/output/compute_potdem_energy.h"

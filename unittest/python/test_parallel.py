@@ -286,3 +286,55 @@ def test_collapse_on_threads_is_one_error(run_lammps):
     script = scripts.box(20) + "bond_style none\n" + scripts.particles([(0, 0, 0, 1.0), (0.5, 0, 0, 1.0)])
     script += "pair_style potdem/lj\npair_coeff * * 300 0.2 3 0.2\nrun 0\n"
     run_lammps(threaded(script), expect_error="atoms 1 and 2 are 0.5 apart")
+
+
+WALLS = {
+    "flat": "region wall block -1 1 -1 1 -1 1 units box",
+    "round": "region wall cylinder z 0 0 1 -1 1 units box",
+    "moving": "variable z equal -0.2*time\nregion wall block -1 1 -1 1 -1.2 1 move NULL NULL v_z units box",
+}
+
+
+@pytest.mark.every_style
+@pytest.mark.parametrize("options", ["restitution 0.9 friction 0.3 mindlin damping 0.2", "friction 0.3 auto"])
+@pytest.mark.parametrize("name", WALLS)
+def test_the_same_bits_at_walls_on_threads(run_lammps, tmp_path, name, options):
+    """grains that fly about, each for itself, and are damped: particle by particle the same operations; sums over them in another order"""
+    rng = np.random.default_rng(1)
+    places = np.column_stack([rng.uniform(-0.3, 0.3, (30, 2)), rng.uniform(0, 0.7, 30), 0.04 + 0.002 * np.arange(30)])
+    script = scripts.box(4, newton="off", atom_style="sphere", skin=0.05) + scripts.particles(places, density=1000)
+    for number, velocity in enumerate(rng.normal(0, 3, (30, 3)), start=1):
+        script += "set atom {} vx {} vy {} vz {}\n".format(number, *velocity)
+    script += f"""comm_modify vel yes
+{WALLS[name]}
+pair_style zero 0.2
+pair_coeff * *
+fix weight all gravity 9.81 vector 0 0 -1
+fix wall all potdem/wall/region wall 1e7 0.3 particle 1e7 0.3 layer none {options} rotation yes
+fix damp all potdem/damping 0.02
+fix move all nve/sphere
+compute books all potdem/energy
+timestep 2e-5
+thermo 500
+thermo_style custom step ke c_books[*] f_wall[*] pxx
+thermo_modify format float {scripts.ALL_DIGITS} lost ignore
+run 10000
+info fixes
+""" + scripts.write_dump("end.dump", "x y z vx vy vz omegax omegay omegaz")
+    run = run_lammps(script)
+    one = (tmp_path / "end.dump").read_text()
+    assert np.abs(run.thermo["f_wall[3]"]).max() > 0
+    for threads in (2, 3):
+        other = run_lammps(threaded(script, threads))
+        assert "potdem/wall/region/omp" in other.stdout and "potdem/damping/omp" in other.stdout
+        assert (tmp_path / "end.dump").read_text() == one
+        for column in run.thermo:
+            scale = max(1.0, np.abs(run.thermo[column]).max())
+            assert np.abs(other.thermo[column] - run.thermo[column]).max() < RANKS_AGREE * scale, column
+
+
+def test_a_passed_wall_on_threads_is_one_error(run_lammps):
+    script = scripts.box(20) + "bond_style none\n" + scripts.particles([(0, 0, 0, 1.0), (0, 0, 9.0, 1.0)])
+    script += "pair_style zero 1.0\npair_coeff * *\nregion wall block -4 4 -4 4 -4 4\n"
+    script += "fix wall all potdem/wall/region wall 1e7 0.3 particle 1e7 0.3\nrun 0\n"
+    run_lammps(threaded(script), expect_error="centre of atom 2 has passed the wall")

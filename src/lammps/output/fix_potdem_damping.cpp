@@ -88,7 +88,9 @@ void FixPotdemDamping::setup(int vflag)
 void FixPotdemDamping::post_force(int /*vflag*/)
 {
   double **v = atom->v, **f = atom->f;
-  for (int i = 0; i < atom->nlocal; i++) {
+  const int nlocal = atom->nlocal, nthreads = threads();
+#pragma omp parallel for num_threads(nthreads) schedule(static) if (nthreads > 1)
+  for (int i = 0; i < nlocal; i++) {
     if (!amplifies(i)) continue;
     double rest[3], drag[3];
     if (!weights.empty()) without_weight(i, rest);

@@ -25,6 +25,9 @@ class FixPotdemDamping : public Fix, public ForceAmplifier {
   void setup(int) override;
   void post_force(int) override;
 
+ protected:
+  virtual int threads() const { return 1; }
+
  private:
   POTDEM::Cundall damping;
   bool damps_weight;

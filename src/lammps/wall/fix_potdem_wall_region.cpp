@@ -9,7 +9,6 @@
 
 #include "core/stability/turning_point.h"
 #include "lammps/glue/potdem_law_io.h"
-#include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
 
@@ -40,8 +39,8 @@ static constexpr double UPRIGHT = 1e-9;
 
 FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), region(nullptr), surface(lmp), ledger(nullptr), monitor(nullptr),
-    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), listed(-1), mine(), total(),
-    summed(false)
+    rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), step(0.0), listed(-1), mine(),
+    total(), summed(false)
 {
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -147,7 +146,9 @@ void FixPotdemWallRegion::init()
                "bpm/sphere",
                id);
   surface.init(region);
+  listed = -1;
   if (memory) memory->init();
+  friction_kernel = make_friction_kernel();
   check_rotation();
   if (potdem_friction_mu(friction) > 0.0 && potdem_friction_is_auto(friction))
     potdem_require_last(lmp, this, "balances the other forces on a particle ('friction auto')",
@@ -199,10 +200,13 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
   v_init(vflag);
   std::fill(mine, mine + 7, 0.0);
   summed = false;
+  shares.resize(threads());
+  for (auto &share : shares) share.begin();
+  step = update->dt / force->mvv2e;
   surface.follow();
   too_stiff = monitor ? monitor->stiffest_over_mass() : std::numeric_limits<double>::infinity();
   too_near = monitor ? FixPotdemMonitor::DEEP : -std::numeric_limits<double>::infinity();
-  rub = MOTION && potdem_friction_acts(friction) ? friction_kernel() : nullptr;
+  rub = MOTION && potdem_friction_acts(friction) ? &friction_kernel : nullptr;
   std::visit(
       [this](const auto &wall, const auto &dashpot) {
         if (MOTION && dashpot.active())
@@ -211,16 +215,49 @@ template <bool MOTION> void FixPotdemWallRegion::act(int vflag)
           this->choose(wall, POTDEM::Elastic());
       },
       law, rate);
+  for (const auto &share : shares) gather(share);
+}
+
+void FixPotdemWallRegion::ThreadShare::begin()
+{
+  std::fill(sums, sums + 7, 0.0);
+  std::fill(virial, virial + 6, 0.0);
+  std::fill(slip, slip + FixPotdemLedger::NKINDS, 0.0);
+  power = 0.0;
+  suspects.clear();
+  passed.clear();
+  error = nullptr;
+}
+
+void FixPotdemWallRegion::gather(const ThreadShare &share)
+{
+  for (int k = 0; k < 7; k++) mine[k] += share.sums[k];
+  if (evflag && vflag_global)
+    for (int k = 0; k < 6; k++) virial[k] += share.virial[k];
+  for (const auto &one : share.suspects) suspect(one.i, one.nearness, one.stiffness);
+  if (!ledger) return;
+  ledger->add_wall(share.power);
+  for (int kind = 0; kind < FixPotdemLedger::NKINDS; kind++)
+    ledger->add_slip(static_cast<FixPotdemLedger::Kind>(kind), share.slip[kind]);
 }
 
 /* ---------------------------------------------------------------------- */
 
-FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::friction_kernel() const
+// 'auto' waits for the forces of all faces
+FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::make_friction_kernel()
 {
-  return potdem_visit(friction, [this](const auto &rough) {
+  return potdem_visit(friction, [this](const auto &rough) -> FrictionKernel {
     using Tangential = std::decay_t<decltype(rough)>;
-    return rotation ? &FixPotdemWallRegion::add_friction<true, Tangential>
-                    : &FixPotdemWallRegion::add_friction<false, Tangential>;
+    auto alone = rough;
+    if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
+      if (rough.automatic != 0.0) alone.mu = 0.0;
+    if (rotation)
+      return [this, rough, alone](int i, ThreadShare &share) {
+        add_friction<true>(i, rough, alone, share);
+      };
+    return [this, rough, alone](int i, ThreadShare &share) {
+      add_friction<false>(i, rough, alone, share);
+    };
   });
 }
 
@@ -239,56 +276,143 @@ void FixPotdemWallRegion::choose(const PotdemWallLaw<Law> &wall, const Rate &das
   }
 }
 
-// all particles in the step of a neighbour list, then those near the wall
 template <bool SLIDE, bool MOVE, class Wall, class Rate>
 void FixPotdemWallRegion::push_all(const Wall &wall, const Rate &dashpot)
 {
-  const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  if (listed >= 0 && listed == neighbor->lastcall && neighbor->ago > 0) {
-    for (const int i : near) push<SLIDE, MOVE>(i, periodic, wall, dashpot);
+  if (!is_listed()) list_near(wall);
+  if (listed < 0) {
+    for (int i = 0; i < atom->nlocal; i++) push<SLIDE, MOVE>(i, wall, dashpot);
     return;
   }
-  for (int i = 0; i < atom->nlocal; i++) push<SLIDE, MOVE>(i, periodic, wall, dashpot);
-  list_near(wall);
+  push_from_planes<SLIDE, MOVE>(wall, dashpot);
+  for (const int i : near) push<SLIDE, MOVE>(i, wall, dashpot);
 }
 
-// Before a centre has moved by half the skin there is another neighbour list; a whole skin is looked at. What cannot be told: walls
-// that move, radii that change, neighbour lists that do not look how far particles went, periodic images.
+// LAMMPS's regions serve one thread at a time, planes all
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push_from_planes(const Wall &wall, const Rate &dashpot)
+{
+  const int nparts = static_cast<int>(shares.size());
+#pragma omp parallel for num_threads(nparts) schedule(static) if (nparts > 1)
+  for (int part = 0; part < nparts; part++) {
+    try {
+      push_part<SLIDE, MOVE>(part, wall, dashpot);
+    } catch (...) {
+      shares[part].error = std::current_exception();
+    }
+  }
+  for (const auto &share : shares) {
+    if (share.error) std::rethrow_exception(share.error);
+    for (const int i : share.passed) push<SLIDE, MOVE>(i, wall, dashpot);
+  }
+}
+
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push_part(int part, const Wall &wall, const Rate &dashpot)
+{
+  auto &share = shares[part];
+  const std::size_t count = near_planes.size(), nparts = shares.size();
+  for (std::size_t k = count * part / nparts; k < count * (part + 1) / nparts; k++) {
+    const auto [i, which] = near_planes[k];
+    if (!(atom->mask[i] & groupbit)) continue;
+    share.faces.clear();
+    if (surface.faces_of(which, atom->x[i], wall.reach(atom->radius[i]), share.faces))
+      push<SLIDE, MOVE>(i, share.faces, wall, dashpot, share);
+    else
+      share.passed.push_back(i);
+  }
+}
+
+// as far as it has moved, the wall may have come nearer
+bool FixPotdemWallRegion::is_listed() const
+{
+  return listed >= 0 && listed == neighbor->lastcall && neighbor->ago > 0 &&
+      surface.moved() < 0.5 * neighbor->skin;
+}
+
+// What cannot be told: walls that change their shape, radii that change, neighbour lists that do not look how far particles went
+bool FixPotdemWallRegion::can_be_listed() const
+{
+  return neighbor->dist_check && atom->avec->comm_x_only && surface.can_be_listed() &&
+      !domain->triclinic && !domain->box_change;
+}
+
+// Before a centre has moved by half the skin there is another neighbour list, so that it is a skin at most from where a list in between
+// found it; two skins are looked at.
 template <class Wall> void FixPotdemWallRegion::list_near(const Wall &wall)
 {
   listed = -1;
-  const bool periodic = domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  if (periodic || !neighbor->dist_check || !atom->avec->comm_x_only || !surface.stands_still())
-    return;
+  if (!can_be_listed()) return;
   near.clear();
-  for (int i = 0; i < atom->nlocal; i++)
-    if (surface.is_near(atom->x[i], wall.reach(atom->radius[i]) + neighbor->skin))
+  near_planes.clear();
+  surface.begin_list();
+  const bool flat = surface.is_flat();
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double reach = wall.reach(atom->radius[i]) + 2.0 * neighbor->skin;
+    find_images(atom->x[i]);
+    PotdemWallSurface::Planes which;
+    if (flat && images.size() == 1 && surface.find_planes(atom->x[i], reach, which)) {
+      if (which) near_planes.push_back({i, which});
+    } else if (std::any_of(images.begin(), images.end(), [this, reach](const auto &place) {
+                 return surface.is_near(place.data(), reach);
+               })) {
       near.push_back(i);
+    }
+  }
   listed = neighbor->lastcall;
 }
 
-// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+// a particle that leaves a periodic box before the next list is looked for on the other side
+void FixPotdemWallRegion::find_images(const double *x)
+{
+  const double margin = 2.0 * neighbor->skin;
+  images.assign(1, {x[0], x[1], x[2]});
+  for (int k = 0; k < 3; k++) {
+    if (!domain->periodicity[k]) continue;
+    const auto add = [this, k, count = images.size()](double shift) {
+      for (std::size_t m = 0; m < count; m++) {
+        images.push_back(images[m]);
+        images.back()[k] += shift;
+      }
+    };
+    if (x[k] < domain->boxlo[k] + margin) add(domain->prd[k]);
+    if (x[k] > domain->boxhi[k] - margin) add(-domain->prd[k]);
+  }
+}
+
 template <bool SLIDE, bool MOVE, class Wall, class Rate>
-void FixPotdemWallRegion::push(int i, bool periodic, const Wall &wall, const Rate &dashpot)
+void FixPotdemWallRegion::push(int i, const Wall &wall, const Rate &dashpot)
 {
   if (!(atom->mask[i] & groupbit)) return;
   double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
-  if (periodic && !domain->inside(x)) bring_back(x);
+  if (!domain->inside(x)) bring_back(x);
   const bool free = surface.is_free(x);
   const auto &faces = free ? surface.faces(x, wall.reach(atom->radius[i]))
                            : behind(x, wall, atom->radius[i]);
   if (!free && faces.empty()) passed(i, x);
+  push<SLIDE, MOVE>(i, faces, wall, dashpot, shares[0]);
+}
+
+// friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push(int i, const std::vector<PotdemWallSurface::Face> &faces,
+                               const Wall &wall, const Rate &dashpot, ThreadShare &share)
+{
+  auto &touches = share.touches;
   touches.clear();
   for (const auto &face : faces) {
     if constexpr (SLIDE) {
       touches.emplace_back();
-      if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back())) touches.pop_back();
+      if (!normal_force<MOVE>(i, face, wall, dashpot, touches.back(), share)) touches.pop_back();
     } else {
       Touch touch;
-      normal_force<MOVE>(i, face, wall, dashpot, touch);
+      if (!normal_force<MOVE>(i, face, wall, dashpot, touch, share)) continue;
+      double f[3];
+      for (int k = 0; k < 3; k++) f[k] = touch.normal * touch.n[k];
+      book(i, touch, f, share);
     }
   }
-  if (SLIDE && (memory || !touches.empty())) (this->*rub)(i);
+  if (SLIDE && (!touches.empty() || (memory && !memory->is_empty(i)))) (*rub)(i, share);
 }
 
 // the face that a centre has passed, if the law goes on there
@@ -338,7 +462,7 @@ void FixPotdemWallRegion::find_motion(int i, const PotdemWallSurface::Face &face
 
 template <bool MOVE, class Wall, class Rate>
 bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &face, const Wall &wall,
-                                       const Rate &dashpot, Touch &touch)
+                                       const Rate &dashpot, Touch &touch, ThreadShare &share)
 {
   const double ri = atom->radius[i], r = face.r;
   const auto geometry = wall.geometry(ri);
@@ -367,22 +491,21 @@ bool FixPotdemWallRegion::normal_force(int i, const PotdemWallSurface::Face &fac
   touch.pressed = {found.pressing, found.elastic.stiffness, POTDEM::shear_ratio_of(wall.kernel, 0),
                    ri, !update->setupflag};
   if (found.elastic.stiffness > too_stiff * atom->rmass[i] || r < too_near * ri)
-    suspect(i, hard_core > 0.0 ? 1.0 : r / ri, found.elastic.stiffness);
-  double f[3];
-  for (int k = 0; k < 3; k++) f[k] = found.normal * touch.n[k];
-  if (MOVE && ledger) note(i, touch, found.normal, found.viscous);
-  mine[0] += found.elastic.energy;
-  add(i, touch, f);
+    share.suspects.push_back({i, hard_core > 0.0 ? 1.0 : r / ri, found.elastic.stiffness});
+  touch.normal = found.normal;
+  for (int k = 0; k < 3; k++) atom->f[i][k] += touch.normal * touch.n[k];
+  if (MOVE && ledger) note(i, touch, found.viscous, share);
+  share.sums[0] += found.elastic.energy;
   return true;
 }
 
 // the normal force in the ledger, `viscous` of it without a potential
-void FixPotdemWallRegion::note(int i, const Touch &touch, double normal, double viscous) const
+void FixPotdemWallRegion::note(int i, const Touch &touch, double viscous, ThreadShare &share) const
 {
   const double *n = touch.n, along = MathExtra::dot3(n, touch.wall);
   ledger->add(FixPotdemLedger::VISCOUS, i, viscous * n[0], viscous * n[1], viscous * n[2]);
-  ledger->add_slip(FixPotdemLedger::VISCOUS, viscous * along);
-  ledger->add_wall(normal * along);
+  share.slip[FixPotdemLedger::VISCOUS] += viscous * along;
+  share.power += touch.normal * along;
 }
 
 // a particle too deep in the wall or, with a law that has no depth to lose, too stiff for the step
@@ -407,22 +530,23 @@ bool FixPotdemWallRegion::out_of_plane(int i, const PotdemWallSurface::Face &fac
   return false;
 }
 
-// a force at the foot
-void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
+// the whole force at the foot
+void FixPotdemWallRegion::book(int i, const Touch &touch, const double *f, ThreadShare &share)
 {
   const double *const del = touch.del;
   double foot[3], turn[3];
   MathExtra::sub3(atom->x[i], del, foot);
   MathExtra::cross3(foot, f, turn);
   for (int k = 0; k < 3; k++) {
-    atom->f[i][k] += f[k];
-    mine[1 + k] -= f[k];
-    mine[4 + k] -= turn[k];
+    share.sums[1 + k] -= f[k];
+    share.sums[4 + k] -= turn[k];
   }
-  if (evflag) {
-    double virial[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2],
-                        f[0] * del[1], f[0] * del[2], f[1] * del[2]};
-    v_tally(i, virial);
+  if (!evflag) return;
+  const double of_touch[6] = {f[0] * del[0], f[1] * del[1], f[2] * del[2],
+                              f[0] * del[1], f[0] * del[2], f[1] * del[2]};
+  for (int k = 0; k < 6; k++) {
+    share.virial[k] += of_touch[k];
+    if (vflag_atom) vatom[i][k] += of_touch[k];
   }
 }
 
@@ -431,7 +555,7 @@ void FixPotdemWallRegion::add(int i, const Touch &touch, const double *f)
 POTDEM::ContactMasses FixPotdemWallRegion::masses_of(int i, double r_over_ri) const
 {
   const double m = atom->rmass[i], share = spin_share(r_over_ri);
-  return {share * m, 1.0, update->dt / force->mvv2e, update->dt, share, inertia * m, 1.0 / inertia};
+  return {share * m, 1.0, step, update->dt, share, inertia * m, 1.0 / inertia};
 }
 
 // what spin leaves of the mass at the surface
@@ -440,27 +564,26 @@ double FixPotdemWallRegion::spin_share(double r_over_ri) const
   return rotation ? POTDEM::sliding_mass(r_over_ri, inertia) : 1.0;
 }
 
-template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(int i)
+template <bool SPIN, class Tangential>
+void FixPotdemWallRegion::add_friction(int i, const Tangential &rough, const Tangential &alone,
+                                       ThreadShare &share)
 {
-  const auto rough = potdem_visit(friction, [](const auto &law) -> Tangential {
-    if constexpr (std::is_same_v<std::decay_t<decltype(law)>, Tangential>) return law;
-    return Tangential();
-  });
-  auto alone = rough;
-  if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
-    if (rough.automatic != 0.0) alone.mu = 0.0;
-  if constexpr (Tangential::STATE > 0) follow_faces(i);
+  auto &touches = share.touches;
+  if constexpr (Tangential::STATE > 0) follow_faces(i, share);
   for (auto &touch : touches) {
     touch.surface = {};
     double *state = nullptr;
     if constexpr (Tangential::STATE > 0) state = memory->of_face(i, touch.key);
-    rub_face<SPIN>(i, alone, state, touch);
+    rub_face<SPIN>(i, alone, state, touch, share);
   }
   if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
-    if (rough.automatic != 0.0) hold_at_rest<SPIN>(i, rough);
+    if (rough.automatic != 0.0) hold_at_rest<SPIN>(i, rough, touches);
   for (const auto &touch : touches) {
     const double *const drag = touch.surface.friction;
-    add(i, touch, drag);
+    double f[3];
+    MathExtra::scaleadd3(touch.normal, touch.n, drag, f);
+    book(i, touch, f, share);
+    MathExtra::add3(atom->f[i], drag, atom->f[i]);
     if (SPIN) {
       double torque[3];
       POTDEM::torque_over_lever(touch.del, drag, torque);
@@ -469,16 +592,16 @@ template <bool SPIN, class Tangential> void FixPotdemWallRegion::add_friction(in
     if (!ledger) continue;
     const double across = MathExtra::dot3(drag, touch.wall);
     ledger->add(FixPotdemLedger::FRICTION, i, drag[0], drag[1], drag[2]);
-    ledger->add_slip(FixPotdemLedger::FRICTION, across);
-    ledger->add_wall(across);
+    share.slip[FixPotdemLedger::FRICTION] += across;
+    share.power += across;
   }
 }
 
-void FixPotdemWallRegion::follow_faces(int i)
+void FixPotdemWallRegion::follow_faces(int i, ThreadShare &share)
 {
-  keys.clear();
-  for (const auto &touch : touches) keys.push_back(touch.key);
-  memory->follow(i, keys);
+  share.keys.clear();
+  for (const auto &touch : share.touches) share.keys.push_back(touch.key);
+  memory->follow(i, share.keys);
 }
 
 // for what adds up the way of the surfaces. The particle's velocity is that between this step and the one before, and so must the
@@ -495,9 +618,10 @@ POTDEM::ContactMotion FixPotdemWallRegion::motion_over_step(int i, const Touch &
   return motion;
 }
 
-// what a face does by itself; friction 'auto' waits for the forces of all
+// what a face does by itself
 template <bool SPIN, class Tangential>
-void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state, Touch &touch)
+void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state, Touch &touch,
+                                   ThreadShare &share)
 {
   constexpr bool REMEMBERS = Tangential::STATE > 0;
   const auto motion = [&] {
@@ -514,8 +638,8 @@ void FixPotdemWallRegion::rub_face(int i, const Tangential &rough, double *state
     turn(i, touch.surface.torque);
     if (!ledger) return;
     const double by_wall = MathExtra::dot3(touch.surface.torque, touch.wall_spin);
-    ledger->add_slip(FixPotdemLedger::FRICTION, by_wall);
-    ledger->add_wall(by_wall);
+    share.slip[FixPotdemLedger::FRICTION] += by_wall;
+    share.power += by_wall;
   }
 }
 
@@ -527,7 +651,9 @@ void FixPotdemWallRegion::turn(int i, const double *torque)
 
 // the forces that end the sliding at all faces within the step, the other forces (and torques) balanced, as far as
 // friction can: face by face, until nothing changes
-template <bool SPIN> void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM::Sliding &rough)
+template <bool SPIN>
+void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM::Sliding &rough,
+                                       std::vector<Touch> &touches) const
 {
   const double mass_over_step = force->mvv2e * atom->rmass[i] / update->dt, ri = atom->radius[i];
   double f[3], torque[3] = {0.0, 0.0, 0.0}, change = 0.0, largest = 0.0;

@@ -12,11 +12,15 @@
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_friction.h"
 #include "lammps/glue/potdem_rate.h"
+#include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/wall/potdem_wall_memory.h"
 #include "lammps/wall/potdem_wall_surface.h"
 
 #include "fix.h"
 
+#include <array>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -52,12 +56,16 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void add_stiffness_to(class PotdemStiffness &, double ahead) override;
   void add_energy_to(PotdemEnergies &) override;
 
+ protected:
+  virtual int threads() const { return 1; }
+
  private:
   // a particle that touches a face
   struct Touch {
     double n[3], r;                  // off the wall, and how far the centre is from the surface
     double del[3];                   // from the foot there to the centre
     POTDEM::ContactMotion motion;    // along n, for a distance of 1
+    double normal;                   // force along n
     POTDEM::Pressed pressed;
     POTDEM::SurfaceForces surface;
     double wall[3], wall_spin[3];    // velocity of the surface at the foot, and how fast it turns
@@ -66,6 +74,25 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
 
     Touch() {}    // only what the kernel needs is set
   };
+
+  // what one thread finds, and where it works
+  struct ThreadShare {
+    double sums[7], virial[6];    // energy, force and torque of the particles on the wall
+    double power, slip[FixPotdemLedger::NKINDS];    // for the ledger
+    struct Suspect {
+      int i;
+      double nearness, stiffness;
+    };
+    std::vector<Suspect> suspects;
+    std::vector<int> passed;     // a plane: the region must say what that means
+    std::exception_ptr error;    // what cannot leave a thread
+    std::vector<PotdemWallSurface::Face> faces;
+    std::vector<Touch> touches;    // of one particle
+    std::vector<int> keys;         // of their faces
+
+    void begin();
+  };
+  std::vector<ThreadShare> shares;
 
   std::string region_id;
   class Region *region;
@@ -78,16 +105,22 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
 #undef POTDEM_WALL_OF_LAW
   PotdemRate rate;
   PotdemFriction friction;
-  typedef void (FixPotdemWallRegion::*FrictionKernel)(int i);
-  FrictionKernel rub;                          // null: no friction
+  typedef std::function<void(int i, ThreadShare &)> FrictionKernel;
+  FrictionKernel friction_kernel;
+  const FrictionKernel *rub;                   // null: no friction
   std::unique_ptr<PotdemWallMemory> memory;    // null: friction remembers nothing
   bool rotation;
-  double inertia;                // of a particle that spins, over m r^2
-  std::vector<Touch> touches;    // of one particle
-  std::vector<int> keys;         // of their faces
+  double inertia;    // of a particle that spins, over m r^2
+  double step;       // in which mass over it is force over velocity
 
-  // of a wall that stands still, between two neighbour lists: only these may touch it
-  std::vector<int> near;
+  // between two neighbour lists: only these may touch the wall
+  struct NearPlanes {
+    int i;
+    PotdemWallSurface::Planes which;
+  };
+  std::vector<NearPlanes> near_planes;
+  std::vector<int> near;                        // anything else
+  std::vector<std::array<double, 3>> images;    // of one particle
   bigint listed;    // step of the neighbour list that they belong to; -1: none, all may
 
   double mine[7], total[7];    // energy, force and torque of the particles on the wall
@@ -101,29 +134,43 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void check_rotation();
 
   template <bool MOTION> void act(int vflag);
+  void gather(const ThreadShare &);
+  bool is_listed() const;
+  bool can_be_listed() const;
   template <class Wall> void list_near(const Wall &);
+  void find_images(const double *x);
   template <class Law, class Rate> void choose(const PotdemWallLaw<Law> &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push_all(const Wall &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
-  void push(int i, bool periodic, const Wall &, const Rate &);
+  void push_from_planes(const Wall &, const Rate &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push_part(int part, const Wall &, const Rate &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push(int i, const Wall &, const Rate &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push(int i, const std::vector<PotdemWallSurface::Face> &, const Wall &, const Rate &,
+            ThreadShare &);
   template <class Wall>
   const std::vector<PotdemWallSurface::Face> &behind(const double *x, const Wall &, double ri);
   [[noreturn]] void passed(int i, const double *x) const;
   template <bool MOVE, class Wall, class Rate>
-  bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &);
-  template <bool SPIN, class Tangential> void add_friction(int i);
+  bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &,
+                    ThreadShare &);
   template <bool SPIN, class Tangential>
-  void rub_face(int i, const Tangential &, double *state, Touch &);
-  void follow_faces(int i);
+  void add_friction(int i, const Tangential &, const Tangential &alone, ThreadShare &);
+  template <bool SPIN, class Tangential>
+  void rub_face(int i, const Tangential &, double *state, Touch &, ThreadShare &);
+  void follow_faces(int i, ThreadShare &);
   template <bool SPIN> POTDEM::ContactMotion motion_over_step(int i, const Touch &) const;
   void turn(int i, const double *torque);
-  FrictionKernel friction_kernel() const;
-  template <bool SPIN> void hold_at_rest(int i, const POTDEM::Sliding &);
-  void note(int i, const Touch &, double normal, double viscous) const;
+  FrictionKernel make_friction_kernel();
+  template <bool SPIN>
+  void hold_at_rest(int i, const POTDEM::Sliding &, std::vector<Touch> &) const;
+  void note(int i, const Touch &, double viscous, ThreadShare &) const;
   void bring_back(double *x) const;
   bool out_of_plane(int i, const PotdemWallSurface::Face &) const;
-  void add(int i, const Touch &, const double *f);
+  void book(int i, const Touch &, const double *f, ThreadShare &);
   void find_motion(int i, const PotdemWallSurface::Face &, Touch &) const;
   double spin_share(double r_over_ri) const;
   POTDEM::ContactMasses masses_of(int i, double r_over_ri) const;

@@ -7,7 +7,6 @@
 
 #include "atom.h"
 #include "error.h"
-#include "fix_store_atom.h"
 #include "modify.h"
 #include "update.h"
 
@@ -41,16 +40,6 @@ void PotdemWallMemory::init()
                id_owner, id);
 }
 
-double &PotdemWallMemory::number(int i) const
-{
-  return *store->astore[i];
-}
-
-double *PotdemWallMemory::places_of(int i) const
-{
-  return store->astore[i] + 1;
-}
-
 double *PotdemWallMemory::find(int i, int key) const
 {
   double *const places = places_of(i);
@@ -61,7 +50,7 @@ double *PotdemWallMemory::find(int i, int key) const
 
 void PotdemWallMemory::follow(int i, const std::vector<int> &keys)
 {
-  if (number(i) == 0.0) return;
+  if (is_empty(i) || keeps_only(i, keys)) return;
   double *left = nullptr;
   for (int k = 0; k < faces; k++) {
     double *const place = places_of(i) + k * width;
@@ -80,6 +69,12 @@ void PotdemWallMemory::follow(int i, const std::vector<int> &keys)
   if (fresh == keys.end()) return;
   *left = *fresh;
   number(i) += 1.0;
+}
+
+// as from one step to the next, mostly
+bool PotdemWallMemory::keeps_only(int i, const std::vector<int> &keys) const
+{
+  return keys.size() == 1 && number(i) == 1.0 && static_cast<int>(*places_of(i)) == keys[0];
 }
 
 double *PotdemWallMemory::of_face(int i, int key)

@@ -11,6 +11,7 @@
 #ifndef LMP_POTDEM_WALL_MEMORY_H
 #define LMP_POTDEM_WALL_MEMORY_H
 
+#include "fix_store_atom.h"
 #include "pointers.h"
 
 #include <string>
@@ -27,6 +28,7 @@ class PotdemWallMemory : protected Pointers {
 
   // the faces that particle i touches now: others are forgotten, but for one that it has left for a new one, as where it rolls over a seam
   void follow(int i, const std::vector<int> &keys);
+  bool is_empty(int i) const { return number(i) == 0.0; }
   double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
   template <class Action> void for_each(int i, const Action &act) const    // what it remembers
   {
@@ -40,8 +42,9 @@ class PotdemWallMemory : protected Pointers {
   int faces, width;
   class FixStoreAtom *store;
 
-  double &number(int i) const;    // of places in use
-  double *places_of(int i) const;
+  double &number(int i) const { return *store->astore[i]; }    // of places in use
+  double *places_of(int i) const { return store->astore[i] + 1; }
+  bool keeps_only(int i, const std::vector<int> &keys) const;
   double *find(int i, int key) const;    // its place; of 0: a free one; null: none
 };
 

@@ -5,6 +5,7 @@
 
 #include "lammps/wall/potdem_wall_surface.h"
 
+#include "domain.h"
 #include "math_extra.h"
 #include "update.h"
 
@@ -55,12 +56,12 @@ template <class Action> static void for_each_part(Region *whole, Action action)
   for (int k = 0; k < whole->nregion; k++) for_each_part(whole->reglist[k], action);
 }
 
-// the parts of what a union leaves out are turned while it is asked, so it counts as moving
-static bool stands_still(Region *part)
+// not what a union leaves out: its parts are turned while it is asked
+static bool keeps_shape(Region *part)
 {
-  if (part->dynamic_check() || part->varshape) return false;
+  if (part->varshape) return false;
   if (!part->reglist) return true;
-  return part->interior && std::all_of(part->reglist, part->reglist + part->nregion, stands_still);
+  return part->interior && std::all_of(part->reglist, part->reglist + part->nregion, keeps_shape);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -76,7 +77,7 @@ void PotdemWallSurface::init(Region *wall)
   std::vector<Part> now;
   for_each_part(region, [&now](Region *part) {
     const bool ellipsoid = utils::strmatch(part->style, "^ellipsoid");
-    now.push_back({part, ellipsoid ? ELLIPSOID_SEARCH : 1.0, 0.0, 0.0});
+    now.push_back({part, ellipsoid ? ELLIPSOID_SEARCH : 1.0, 0.0, 0.0, {}});
   });
   const bool same = std::equal(now.begin(), now.end(), parts.begin(), parts.end(),
                                [](const Part &a, const Part &b) {
@@ -131,9 +132,104 @@ void PotdemWallSurface::velocity(const Face &face, double *u, double when) const
   }
 }
 
-bool PotdemWallSurface::stands_still() const
+/* ----------------------------------------------------------------------
+   lists of what is near
+------------------------------------------------------------------------- */
+
+bool PotdemWallSurface::can_be_listed() const
 {
-  return ::stands_still(region);
+  return keeps_shape(region);
+}
+
+void PotdemWallSurface::begin_list()
+{
+  for (auto &part : parts) {
+    const double now[4] = {part.region->dx, part.region->dy, part.region->dz, part.region->theta};
+    std::copy_n(now, 4, part.listed);
+  }
+  planes.assign(MOST_FACES, Plane());
+}
+
+double PotdemWallSurface::moved() const
+{
+  double most = 0.0;
+  for (const auto &part : parts) {
+    const auto *const of = part.region;
+    const double way[3] = {of->dx - part.listed[0], of->dy - part.listed[1],
+                           of->dz - part.listed[2]};
+    double far = of->moveflag ? MathExtra::len3(way) : 0.0;
+    if (of->rotateflag) {
+      double arm[3];
+      for (int k = 0; k < 3; k++)
+        arm[k] = std::fmax(std::fabs(domain->boxlo[k] - of->rpoint[k]),
+                           std::fabs(domain->boxhi[k] - of->rpoint[k]));
+      far += MathExtra::len3(arm) * std::fabs(of->theta - part.listed[3]);
+    }
+    most = std::fmax(most, far);
+  }
+  return most;
+}
+
+bool PotdemWallSurface::is_flat() const
+{
+  if (region->reglist || !region->interior || region->openflag || region->dynamic_check())
+    return false;
+  return utils::strmatch(region->style, "^block") || utils::strmatch(region->style, "^plane") ||
+      utils::strmatch(region->style, "^prism");
+}
+
+bool PotdemWallSurface::find_planes(const double *x, double reach, Planes &which)
+{
+  which = 0;
+  if (!is_free(x)) return false;
+  const int n = region->surface(x[0], x[1], x[2], reach);
+  if (n == 0) return true;
+  const std::vector<Region::Contact> contacts(region->contact, region->contact + n);
+  for (const auto &contact : contacts) {
+    if (contact.iwall >= MOST_FACES || !learn(contact, x, reach)) return false;
+    which |= Planes(1) << contact.iwall;
+  }
+  return true;
+}
+
+// from a place next to it, where its distance has no rounding of its own
+bool PotdemWallSurface::learn(const Region::Contact &seen, const double *x, double reach)
+{
+  auto &plane = planes[seen.iwall];
+  if (plane.known) return true;
+  if (!(seen.r > 0.0)) return false;
+  const double del[3] = {seen.delx, seen.dely, seen.delz};
+  double place[3];
+  for (int k = 0; k < 3; k++) {
+    plane.n[k] = del[k] / seen.r;
+    place[k] = x[k] - del[k] + BEYOND * reach * plane.n[k];
+  }
+  const int n = region->surface(place[0], place[1], place[2], reach);
+  for (int k = 0; k < n; k++) {
+    const auto &contact = region->contact[k];
+    if (contact.iwall != seen.iwall) continue;
+    const double foot[3] = {place[0] - contact.delx, place[1] - contact.dely,
+                            place[2] - contact.delz};
+    plane.offset = MathExtra::dot3(plane.n, foot);
+    plane.known = true;
+  }
+  return plane.known;
+}
+
+bool PotdemWallSurface::faces_of(Planes which, const double *x, double reach,
+                                 std::vector<Face> &out) const
+{
+  for (int k = 0; which; k++, which >>= 1) {
+    if (!(which & 1)) continue;
+    const auto &plane = planes[k];
+    const double r = MathExtra::dot3(plane.n, x) - plane.offset;
+    if (!(r >= 0.0)) return false;
+    if (r >= reach) continue;
+    Face face{0, {}, {plane.n[0], plane.n[1], plane.n[2]}, r, false, 1 + k};
+    MathExtra::scaleadd3(-r, plane.n, x, face.foot);
+    out.push_back(face);
+  }
+  return true;
 }
 
 bool PotdemWallSurface::is_near(const double *x, double reach) const
@@ -218,7 +314,7 @@ void PotdemWallSurface::add_faces(int part, int n, const double *x, double reach
     const int key = 1 + part * MOST_FACES + contact.iwall;
     Face face{part, {}, {}, contact.r, from->varshape && contact.varflag, key};
     MathExtra::sub3(x, del, face.foot);
-    if (contact.r > 0.0) MathExtra::scale3(1.0 / contact.r, del, face.n);
+    for (int c = 0; contact.r > 0.0 && c < 3; c++) face.n[c] = del[c] / contact.r;
     out.push_back(face);
   }
 }

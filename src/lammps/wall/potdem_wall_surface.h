@@ -15,6 +15,7 @@
 #include "pointers.h"
 #include "region.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -38,9 +39,20 @@ class PotdemWallSurface : protected Pointers {
   {
     return region->reglist ? is_free_of_parts(x) : region->match(x[0], x[1], x[2]) != 0;
   }
-  bool stands_still() const;    // neither moves nor changes its shape
-  bool is_near(const double *x,
-               double reach) const;    // of one that stands still: may a part be as near?
+  // lists of what is near it: not where it changes its shape
+  bool can_be_listed() const;
+  void begin_list();
+  double moved() const;    // no further since then, anywhere in the box
+  bool is_near(const double *x, double reach) const;    // may a part be as near?
+
+  // of the faces of one that stands still and has only flat ones: a bit for each
+  typedef std::uint64_t Planes;
+  bool is_flat() const;
+  // those within reach of a centre; false: not known
+  bool find_planes(const double *x, double reach, Planes &);
+  // as faces(), but any number of threads at once; false: the centre is behind one of these
+  bool faces_of(Planes, const double *x, double reach, std::vector<Face> &) const;
+
   // an empty list for most particles: quickly
   const std::vector<Face> &faces(const double *x, double reach)
   {
@@ -63,6 +75,12 @@ class PotdemWallSurface : protected Pointers {
     double search;        // how far LAMMPS is to look for contacts, over the reach
     double angle;         // of a rotation, at the latest step
     double axis_scale;    // 1 over the length of its axis
+    double listed[4];     // displacement and angle when a list was begun
+  };
+
+  struct Plane {
+    double n[3], offset;
+    bool known;
   };
 
   // a region in a union or intersection, the number of its first part, and its faces begin to end
@@ -75,10 +93,12 @@ class PotdemWallSurface : protected Pointers {
   Region *region;
   std::vector<Part> parts;
   std::vector<Face> found;
+  std::vector<Plane> planes;
   bigint step;    // of the latest call of follow
   bool moving;    // there are two steps to take a difference of
 
   bool is_free_of_parts(const double *x) const;
+  bool learn(const Region::Contact &, const double *x, double reach);
   void collect_all(const double *x, double reach);
   void collect(Region *, int &part, const double *x, double reach, std::vector<Face> &) const;
   void add_faces(int part, int n, const double *x, double reach, std::vector<Face> &) const;
