@@ -7,6 +7,7 @@
 
 #include "admissible.h"
 #include "constants.h"
+#include "kinds.h"
 #include "targets.h"
 #include "volumes.h"
 
@@ -21,26 +22,24 @@ double misfit_inside(const BondedBody &body, const Surfaces &surfaces, LeastSqua
   double total[2] = {0.0, 0.0};
   for (int i = 0; i < body.nowned; i++) {
     if (!surfaces.inside(body, i)) continue;
-    total[0] += misfits[i].square(admissible[i]);
-    total[1] += 1.0;
+    total[0] += body.alike[i] * misfits[i].square(admissible[i]);
+    total[1] += body.alike[i];
   }
   body.halo.sum(total, 2);
   return std::sqrt(total[0] / total[1]);
 }
 
-}    // namespace
+// what a particle knows of itself from its surroundings
+struct Setting {
+  Surfaces surfaces;
+  UniformAreas uniform;
+  std::vector<Matrix6> admissible;
+};
 
-BodyAreaReport POTDEM::find_body_areas(BondedBody &body)
+BodyAreaReport solve(BondedBody &body, const Setting &setting)
 {
+  const auto &[surfaces, uniform, admissible] = setting;
   BodyAreaReport report{};
-  body.list_neighbours();
-  const Cells cells(body);
-  const Surfaces surfaces(body, cells);
-  report.outcome = BodyAreaReport::NO_INSIDE;
-  if (!find_volumes(body, cells, surfaces)) return report;
-  const UniformAreas uniform(body, surfaces);
-  if (uniform.factor == 0.0) return report;
-  const auto admissible = admissible_strains(body, surfaces, uniform);
   LeastSquares squares(body, uniform.area, admissible);
   Targets targets(body, surfaces);
   squares.iterate(areas::FIRST_ITERATIONS, targets.asked());
@@ -63,5 +62,32 @@ BodyAreaReport POTDEM::find_body_areas(BondedBody &body)
     report.most = std::max(report.most, squares.solution()[b]);
     body.bonds[b].area = squares.area(b);
   }
+  return report;
+}
+
+}    // namespace
+
+// the areas of more particles differ than their settings do
+BodyAreaReport POTDEM::find_body_areas(BondedBody &body)
+{
+  BodyAreaReport refused{};
+  refused.outcome = BodyAreaReport::NO_INSIDE;
+  body.list_neighbours();
+  Kinds near(body, areas::SEEN_BONDS);
+  const Cells cells(near.body);
+  const Surfaces surfaces(near.body, cells);
+  if (!find_volumes(near.body, cells, surfaces)) return refused;
+  const UniformAreas uniform(near.body, surfaces);
+  if (uniform.factor == 0.0) return refused;
+  near.give_volumes(body);
+
+  Kinds alike(body, areas::ALIKE_BONDS);
+  const auto given = [&](const auto &values) {
+    return alike.take(near, values);
+  };
+  const Setting setting = {Surfaces(surfaces, given), UniformAreas(alike.body, uniform),
+                           given(admissible_strains(near.body, surfaces, uniform))};
+  const auto report = solve(alike.body, setting);
+  if (report.outcome == BodyAreaReport::DONE) alike.give_areas(body);
   return report;
 }

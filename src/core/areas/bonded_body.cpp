@@ -9,6 +9,7 @@ using namespace POTDEM;
 
 void BondedBody::list_neighbours()
 {
+  if (alike.empty()) alike.assign(nowned, 1.0);
   first.assign(nowned + 1, 0);
   for (const auto &bond : bonds)
     for (const int i : {bond.low, bond.high})

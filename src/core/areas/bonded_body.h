@@ -22,20 +22,19 @@ namespace POTDEM {
 
 // exchange of per-particle values between ranks; by itself: one rank, no copies
 struct BodyHalo {
-  static constexpr int WIDEST = 37;    // values per particle at a time
+  static constexpr int WIDEST = 54;    // values per particle at a time
   virtual ~BodyHalo() = default;
   virtual void forward(double *, int) {}    // copies take the owner's values; width per particle
-  virtual void reverse(double *, int) {}    // owners add the copies' values
   virtual void sum(double *, int) {}        // over ranks
 };
 
 struct BondedBody {
   struct Bond {
-    int low, high;    // ends (0 to nall - 1, one of them owned), the one with the lower ID first
-    Vector3 n;        // unit vector from low to high
-    double length;    // at rest, > 0
-    bool counted;     // by exactly one rank
-    double area;      // the answer
+    int low, high;     // ends (0 to nall - 1, one of them owned), the one with the lower ID first
+    Vector3 n;         // unit vector from low to high
+    double length;     // at rest, > 0
+    double counted;    // so often in sums over all bonds; the ranks' shares add up
+    double area;       // the answer
   };
   // a bond seen from one of its ends
   struct Neighbour {
@@ -57,6 +56,7 @@ struct BondedBody {
       volume;    // of nall particles, their sum counts; empty: from the inner particles' cells
   std::vector<std::int64_t> id;    // of nall particles
   std::vector<Bond> bonds;
+  std::vector<double> alike;    // how many each owned particle stands for; empty: one
 
   explicit BondedBody(BodyHalo &exchange) : halo(exchange) {}
 
@@ -66,16 +66,13 @@ struct BondedBody {
   {
     return {list.data() + first[i], list.data() + first[i + 1]};
   }
+  std::size_t place(const Neighbour &to) const { return &to - list.data(); }    // among all
   bool bonded(int i) const { return first[i] < first[i + 1]; }
 
-  // values of nall particles, doubles or arrays of them: copies take the owner's; owners add the copies'
+  // values of nall particles, doubles or arrays of them: copies take the owner's
   template <class T> void forward(std::vector<T> &values) const
   {
     halo.forward(reinterpret_cast<double *>(values.data()), width<T>());
-  }
-  template <class T> void reverse(std::vector<T> &values) const
-  {
-    halo.reverse(reinterpret_cast<double *>(values.data()), width<T>());
   }
 
   Vector3 separation(const Neighbour &to) const

@@ -35,35 +35,44 @@ double Cells::diameter_scale() const
     const auto neighbours = body.neighbours(i);
     if (neighbours.size() <= areas::SHORTEST) continue;
     const auto &chosen = neighbours[areas::SHORTEST];
-    total[0] +=
-        2.0 * body.bonds[chosen.bond].length / (body.diameter[i] + body.diameter[chosen.particle]);
-    total[1] += 1.0;
+    total[0] += body.alike[i] * 2.0 * body.bonds[chosen.bond].length /
+        (body.diameter[i] + body.diameter[chosen.particle]);
+    total[1] += body.alike[i];
   }
   body.halo.sum(total, 2);
   return total[1] > 0.0 ? total[0] / total[1] : 1.0;
 }
 
-double Cells::reach(int i, const Vector3 &direction, double enough) const
+Cell Cells::of(int i) const
 {
+  Cell cell;
   const double di = diameter(i), largest = scale * largest_diameter;
-  double farthest = HUGE_VAL;
   for (const auto &to : body.neighbours(i)) {
-    if (farthest < enough) break;
     const auto &bond = body.bonds[to.bond];
-    auto plane = [&bond, di](double d) {
-      return 0.5 * bond.length + 0.125 * (di * di - d * d) / bond.length;
+    const auto nearness = [&bond, di](double d) {
+      const double plane = 0.5 * bond.length + 0.125 * (di * di - d * d) / bond.length;
+      return 1.0 / std::max(plane, areas::AT_CENTRE * bond.length);
     };
-    if (plane(largest) > farthest) break;
-    const double along = to.sign * dot(direction, bond.n);
-    if (along > 0.0)
-      farthest = std::min(farthest, std::max(plane(diameter(to.particle)), 0.0) / along);
+    const double over_plane = to.sign * nearness(diameter(to.particle));
+    cell.sides.push_back({{over_plane * bond.n[0], over_plane * bond.n[1], over_plane * bond.n[2]},
+                          nearness(largest)});
   }
-  return farthest;
+  return cell;
 }
 
-double Cells::volume(int i, const std::vector<Vector3> &rays) const
+double Cell::reach(const Vector3 &direction, double enough) const
 {
-  return volume_by_rays(rays, [this, i](const Vector3 &ray) {
-    return reach(i, ray);
+  double nearness = 0.0;
+  for (const auto &side : sides) {
+    if (side.most < nearness || nearness * enough > 1.0) break;
+    nearness = std::max(nearness, dot(direction, side.normal));
+  }
+  return nearness > 0.0 ? 1.0 / nearness : HUGE_VAL;
+}
+
+double Cell::volume(const std::vector<Vector3> &rays) const
+{
+  return volume_by_rays(rays, [this](const Vector3 &ray) {
+    return reach(ray);
   });
 }

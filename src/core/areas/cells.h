@@ -16,16 +16,31 @@ namespace POTDEM {
 // n > 0 unit vectors spread evenly over the sphere along a spiral
 std::vector<Vector3> spiral_directions(int n);
 
+class Cell {
+ public:
+  // how far a ray from the particle along a unit vector stays in its cell (HUGE_VAL: no end); stops below `enough`
+  double reach(const Vector3 &direction, double enough = 0.0) const;
+  // of a closed cell; the error is about that of a sum over so many evenly spread directions
+  double volume(const std::vector<Vector3> &rays) const;
+
+ private:
+  friend class Cells;
+  struct Side {
+    Vector3 normal;    // outwards, over the distance
+    double most;       // one over the least distance of this and all later sides
+  };
+  std::vector<Side> sides;
+};
+
 class Cells {
  public:
   explicit Cells(const BondedBody &);    // collective: a mean over ranks
 
   // diameter in units of length
   double diameter(int i) const { return scale * body.diameter[i]; }
-  // how far a ray from the owned particle i along a unit vector stays in its cell (HUGE_VAL: no end); stops below `enough`
-  double reach(int i, const Vector3 &direction, double enough = 0.0) const;
-  // of a closed cell of an owned particle; the error is about that of a sum over so many evenly spread directions
-  double volume(int i, const std::vector<Vector3> &rays) const;
+  Cell of(int i) const;    // owned particle
+  double reach(int i, const Vector3 &direction) const { return of(i).reach(direction); }
+  double volume(int i, const std::vector<Vector3> &rays) const { return of(i).volume(rays); }
 
  private:
   const BondedBody &body;

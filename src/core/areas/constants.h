@@ -23,6 +23,8 @@ static constexpr double SQUARE_OVER_VARIANCE = 12.0;
 
 // ---- cells
 
+// rounding: least distance of a side of a cell from its centre, over the bond's length
+static constexpr double AT_CENTRE = 1e-9;
 // chosen: bond (counted from 0, by length) that tells the spacing: even a corner has three close neighbours
 static constexpr int SHORTEST = 2;
 // derived: pi (3 - sqrt 5), the turn from one direction of the spiral to the next
@@ -33,6 +35,16 @@ static constexpr double RAYS = 2e7;
 static constexpr double LEAST_RAYS = 400.0;
 // chosen: most rays of one cell: volumes of lattices within 0.2 %
 static constexpr double MOST_RAYS = 2000.0;
+
+// ---- particles with the same surroundings, which are solved once
+
+// rounding: difference of lengths, over the mean length of a bond, within which they are the same
+static constexpr double ALIKE = 1e-9;
+// derived: bonds as far as which a particle's surfaces, volume and admissible states depend on others: one for its cell,
+// one more for the faces that end it, and NEARBY_BONDS
+static constexpr int SEEN_BONDS = 4;
+// chosen: bonds as far as which its areas do: the influence of what is farther away fades to a fifth with every bond
+static constexpr int ALIKE_BONDS = 16;
 
 // ---- free surfaces
 

@@ -144,7 +144,7 @@ double LeastSquares::descend(const std::vector<double> &ahead, std::vector<doubl
     const double g = uniform[b] * slope(bond, moments[bond.low], moments[bond.high]) +
         areas::PULL * areas::PULL * (ahead[b] - 1.0);
     moved[b] = std::clamp(ahead[b] - step[b] * g, areas::LEAST, areas::MOST);
-    if (bond.counted) uphill += (ahead[b] - moved[b]) * (moved[b] - x[b]) / step[b];
+    uphill += bond.counted * (ahead[b] - moved[b]) * (moved[b] - x[b]) / step[b];
   }
   body.halo.sum(&uphill, 1);
   return uphill;

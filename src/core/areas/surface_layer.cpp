@@ -11,11 +11,17 @@ using namespace POTDEM;
 
 namespace {
 
-double closeness(const BondedBody &body, int i, const BondedBody::Neighbour &to)
+double closeness(const BondedBody &body, const BondedBody::Neighbour &to)
 {
   const double q = body.bonds[to.bond].length * body.bonds[to.bond].length;
-  return std::cbrt(body.volume[i] * body.volume[i]) / (q * q);
+  return 1.0 / (q * q);
 }
+
+// the weights that a particle gives are closeness (found m - along dx)
+struct Weights {
+  Matrix6 found;
+  std::array<Vector3, 6> along;
+};
 
 class Stencil {
  public:
@@ -23,11 +29,12 @@ class Stencil {
 
   Stencil() = default;
   Stencil(const BondedBody &, int i);
-  void apply(const BondedBody &, int i, std::vector<Vector6> &layer);
+  void solve();    // for what is still wanted
+  Weights weights() const;
 
  private:
   std::array<Vector3, 6> slope{};    // takes the first derivatives out of dx dx
-  Matrix6 matrix{}, factor{};
+  Matrix6 matrix{}, factor{}, found{};
 };
 
 Stencil::Stencil(const BondedBody &body, int i)
@@ -36,7 +43,7 @@ Stencil::Stencil(const BondedBody &body, int i)
   for (const auto &to : body.neighbours(i)) {
     const Vector3 dx = body.separation(to);
     const Vector6 m = mandel(dx, dx);
-    const double g = closeness(body, i, to);
+    const double g = closeness(body, to);
     add_dyad(gradient, g, dx, dx);
     add_dyad(slope, g, m, dx);
     add_dyad(matrix, g, m, m);
@@ -58,39 +65,85 @@ Stencil::Stencil(const BondedBody &body, int i)
   cholesky(factor, 6);
 }
 
-// the weights for what is still wanted go into the layer
-void Stencil::apply(const BondedBody &body, int i, std::vector<Vector6> &layer)
+void Stencil::solve()
 {
   Matrix6 answer = wanted;
   for (auto &row : answer) solve_cholesky(factor, row, 6);
-  for (const auto &to : body.neighbours(i)) {
-    const Vector3 dx = body.separation(to);
-    Vector6 m = mandel(dx, dx);
-    for (int c = 0; c < 6; c++) m[c] -= dot(slope[c], dx);
-    const double g = closeness(body, i, to);
-    for (int c = 0; c < 6; c++) {
-      const double weight = g * dot(m, answer[c]);
-      layer[to.particle][c] += weight;
-      layer[i][c] -= weight;
-    }
-  }
+  add(found, 1.0, answer);
+  add(wanted, -1.0, product(answer, matrix));
+}
+
+Weights Stencil::weights() const
+{
+  Weights weights{found, {}};
   for (int c = 0; c < 6; c++)
-    for (int e = 0; e < 6; e++) wanted[c][e] -= dot(answer[c], matrix[e]);
+    for (int e = 0; e < 6; e++)
+      for (int k = 0; k < 3; k++) weights.along[c][k] += found[c][e] * slope[e][k];
+  return weights;
 }
 
 // what is still wanted goes to neighbours that are deeper inside
-void hand_over(const BondedBody &body, const Surfaces &surfaces, int i, Matrix6 &wanted,
-               std::vector<Matrix6> &handed)
-{
-  auto depth = [&](const BondedBody::Neighbour &to) {
-    const double gain = surfaces.open[i] - surfaces.open[to.particle];
-    return gain > areas::DEEPER ? closeness(body, i, to) * gain : 0.0;
+class Handing {
+ public:
+  Handing(const BondedBody &, const Surfaces &);
+  void hand_over(std::vector<Stencil> &);
+
+ private:
+  struct Parcel {
+    Matrix6 wanted;
+    double depths;    // of all receivers; 0: there are none
   };
-  double total = 0.0;
-  for (const auto &to : body.neighbours(i)) total += depth(to);
-  if (total == 0.0) return;
-  for (const auto &to : body.neighbours(i)) add(handed[to.particle], depth(to) / total, wanted);
-  wanted = Matrix6{};
+
+  const BondedBody &body;
+  const Surfaces &surfaces;
+  std::vector<Parcel> parcels;
+
+  double depth(int from, int to, const BondedBody::Neighbour &bond) const
+  {
+    const double gain = surfaces.open[from] - surfaces.open[to];
+    return gain > areas::DEEPER ? closeness(body, bond) * gain : 0.0;
+  }
+};
+
+Handing::Handing(const BondedBody &bonded, const Surfaces &free_surfaces) :
+    body(bonded), surfaces(free_surfaces), parcels(bonded.nall)
+{
+  for (int i = 0; i < body.nowned; i++)
+    for (const auto &to : body.neighbours(i)) parcels[i].depths += depth(i, to.particle, to);
+}
+
+void Handing::hand_over(std::vector<Stencil> &stencils)
+{
+  for (int i = 0; i < body.nowned; i++) {
+    if (parcels[i].depths == 0.0) continue;
+    parcels[i].wanted = stencils[i].wanted;
+    stencils[i].wanted = Matrix6{};
+  }
+  body.forward(parcels);
+  for (int i = 0; i < body.nowned; i++)
+    for (const auto &to : body.neighbours(i)) {
+      const double share = depth(to.particle, i, to);
+      if (share == 0.0) continue;
+      const Parcel &parcel = parcels[to.particle];
+      add(stencils[i].wanted, share / parcel.depths, parcel.wanted);
+    }
+}
+
+Vector6 received_less_given(const BondedBody &body, const std::vector<Weights> &weights, int i)
+{
+  Vector6 layer{};
+  for (const auto &to : body.neighbours(i)) {
+    const Vector3 dx = body.separation(to);
+    const Vector6 m = mandel(dx, dx);
+    const double g = closeness(body, to);
+    const Weights &mine = weights[i], &others = weights[to.particle];
+    for (int c = 0; c < 6; c++) {
+      const double given = dot(mine.found[c], m) - dot(mine.along[c], dx);
+      const double received = dot(others.found[c], m) + dot(others.along[c], dx);
+      layer[c] += g * (received - given);
+    }
+  }
+  return layer;
 }
 
 }    // namespace
@@ -101,18 +154,17 @@ std::vector<Vector6> POTDEM::surface_layer(const BondedBody &body, const Surface
   for (int i = 0; i < body.nowned; i++)
     if (body.bonded(i)) stencils[i] = Stencil(body, i);
 
-  std::vector<Vector6> layer(body.nall, Vector6{});
-  std::vector<Matrix6> handed(body.nall);
+  Handing handing(body, surfaces);
   for (int round = 0; round < areas::HANDING_ROUNDS; round++) {
-    std::fill(handed.begin(), handed.end(), Matrix6{});
     for (int i = 0; i < body.nowned; i++)
-      if (body.bonded(i)) {
-        stencils[i].apply(body, i, layer);
-        hand_over(body, surfaces, i, stencils[i].wanted, handed);
-      }
-    body.reverse(handed);
-    for (int i = 0; i < body.nowned; i++) add(stencils[i].wanted, 1.0, handed[i]);
+      if (body.bonded(i)) stencils[i].solve();
+    handing.hand_over(stencils);
   }
-  body.reverse(layer);
+
+  std::vector<Weights> weights(body.nall);
+  for (int i = 0; i < body.nowned; i++) weights[i] = stencils[i].weights();
+  body.forward(weights);
+  std::vector<Vector6> layer(body.nowned);
+  for (int i = 0; i < body.nowned; i++) layer[i] = received_less_given(body, weights, i);
   return layer;
 }

@@ -16,8 +16,8 @@
 
 namespace POTDEM {
 
-// per particle (nall; right for the owned ones) and component of the tensor: all weights that it receives minus those it
-// gives, in units of volume / length^2. Collective
+// per owned particle and component of the tensor: all weights that it receives minus those it gives, in units of
+// volume / length^2. Collective
 std::vector<Vector6> surface_layer(const BondedBody &, const Surfaces &);
 
 }    // namespace POTDEM

@@ -20,9 +20,10 @@ struct OpenRays {
 OpenRays open_rays(const Cells &cells, int i, const std::vector<Vector3> &rays)
 {
   const double gap = areas::OPEN_FROM * cells.diameter(i);
+  const Cell cell = cells.of(i);
   OpenRays found;
   for (const auto &ray : rays)
-    if (cells.reach(i, ray, gap) > gap) {
+    if (cell.reach(ray, gap) > gap) {
       add_dyad(found.second, 1.0 / rays.size(), ray, ray);
       for (int k = 0; k < 3; k++) found.sum[k] += ray[k];
       found.count++;

@@ -22,6 +22,11 @@ struct Surfaces {
                   // edge, three in a corner
 
   Surfaces(const BondedBody &, const Cells &);    // collective
+  template <class Given>
+  Surfaces(const Surfaces &others, Given given) :
+      open(given(others.open)), normal(given(others.normal)), blocked(given(others.blocked))
+  {
+  }
   bool inside(const BondedBody &body, int i) const { return open[i] == 0.0 && body.bonded(i); }
 };
 

@@ -19,9 +19,9 @@ BulkMoments::BulkMoments(const BondedBody &body, const Surfaces &surfaces,
   for (std::size_t b = 0; b < body.bonds.size(); b++) {
     const auto &bond = body.bonds[b];
     const int ends = (surfaces.open[bond.low] == 0.0) + (surfaces.open[bond.high] == 0.0);
-    if (!bond.counted || ends < ends_inside) continue;
+    if (ends < ends_inside) continue;
     const Vector6 m = mandel(bond.n, bond.n);
-    const double work = 0.5 * squares.area(b) * bond.length;
+    const double work = bond.counted * 0.5 * squares.area(b) * bond.length;
     for (int l = 0; l < 6; l++)
       add_dyad(total[l], 0.25 * work * bond.length * bond.length * m[l], m, m);
     add_dyad(total[6], work, m, m);
@@ -94,8 +94,8 @@ double Targets::cell_variance() const
   double mean[2] = {0.0, 0.0};
   for (int i = 0; i < body.nowned; i++)
     if (surfaces.inside(body, i)) {
-      mean[0] += std::cbrt(body.volume[i] * body.volume[i]);
-      mean[1] += 1.0;
+      mean[0] += body.alike[i] * std::cbrt(body.volume[i] * body.volume[i]);
+      mean[1] += body.alike[i];
     }
   body.halo.sum(mean, 2);
   return mean[0] / mean[1] / areas::SQUARE_OVER_VARIANCE;

@@ -9,22 +9,37 @@
 
 using namespace POTDEM;
 
-UniformAreas::UniformAreas(const BondedBody &body, const Surfaces &surfaces) :
-    area(body.bonds.size()), factor(0.0)
+namespace {
+
+std::vector<double> squares(const BondedBody &body, double factor)
 {
-  for (std::size_t b = 0; b < body.bonds.size(); b++) {
-    const auto &bond = body.bonds[b];
+  std::vector<double> area;
+  for (const auto &bond : body.bonds) {
     const double d = 0.5 * (body.diameter[bond.low] + body.diameter[bond.high]);
-    area[b] = d * d;
+    area.push_back(factor * d * d);
   }
+  return area;
+}
+
+}    // namespace
+
+UniformAreas::UniformAreas(const BondedBody &body, const UniformAreas &like) :
+    area(squares(body, like.factor)), factor(like.factor), volume(like.volume)
+{
+}
+
+UniformAreas::UniformAreas(const BondedBody &body, const Surfaces &surfaces) :
+    area(squares(body, 1.0)), factor(0.0)
+{
   double total[3] = {0.0, 0.0, 0.0};
   for (int i = 0; i < body.nowned; i++) {
     if (!body.bonded(i)) continue;
-    total[2] += body.volume[i];
+    const double n = body.alike[i];
+    total[2] += n * body.volume[i];
     if (!surfaces.inside(body, i)) continue;
-    total[0] += areas::SOLID_TRACE * body.volume[i];
+    total[0] += n * areas::SOLID_TRACE * body.volume[i];
     for (const auto &to : body.neighbours(i))
-      total[1] += 0.5 * area[to.bond] * body.bonds[to.bond].length;
+      total[1] += n * 0.5 * area[to.bond] * body.bonds[to.bond].length;
   }
   body.halo.sum(total, 3);
   volume = total[2];

@@ -19,6 +19,7 @@ struct UniformAreas {
   double volume;               // of all particles, of all ranks
 
   UniformAreas(const BondedBody &, const Surfaces &);    // collective; wants body.volume
+  UniformAreas(const BondedBody &, const UniformAreas &like);
 };
 
 }    // namespace POTDEM

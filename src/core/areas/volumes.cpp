@@ -63,7 +63,7 @@ double find_lambda(const double *total)
 double count_inside(const BondedBody &body, const Surfaces &surfaces)
 {
   double count = 0.0;
-  for (int i = 0; i < body.nowned; i++) count += surfaces.inside(body, i);
+  for (int i = 0; i < body.nowned; i++) count += body.alike[i] * surfaces.inside(body, i);
   body.halo.sum(&count, 1);
   return count;
 }
@@ -78,11 +78,12 @@ Vector3 POTDEM::volume_at_surface(const BondedBody &body, const Cells &cells,
   const double samples[3] = {areas::LOW_SAMPLE, middle, areas::HIGH_SAMPLE};
   const auto planes = planes_nearby(body, cells, surfaces, i);
   const double radius = 0.5 * cells.diameter(i), open = 2.0 * areas::OPEN_FROM * radius;
+  const Cell cell = cells.of(i);
   Vector3 cubes{};
   for (const auto &ray : rays) {
-    const double cell = std::min(cells.reach(i, ray), open);
+    const double end = std::min(cell.reach(ray), open);
     for (int l = 0; l < 3; l++) {
-      double r = cell;
+      double r = end;
       for (const auto &plane : planes) {
         const double along = dot(ray, plane.normal);
         // no plane cuts into the particle itself
@@ -108,17 +109,17 @@ bool POTDEM::find_volumes(BondedBody &body, const Cells &cells, const Surfaces &
   double total[SUMS] = {};
   for (int i = 0; i < body.nowned; i++) {
     if (!body.bonded(i)) continue;
-    const double d = body.diameter[i], cube = d * d * d;
+    const double n = body.alike[i], d = body.diameter[i], cube = n * d * d * d;
     if (surfaces.inside(body, i)) {
       volumes[i][0] = cells.volume(i, rays);
-      total[CLOSED] += volumes[i][0];
+      total[CLOSED] += n * volumes[i][0];
       total[CLOSED_CUBES] += cube;
     } else {
       volumes[i] = volume_at_surface(body, cells, surfaces, i, rays);
-      for (int k = 0; k < 3; k++) total[SURFACE + k] += volumes[i][k];
+      for (int k = 0; k < 3; k++) total[SURFACE + k] += n * volumes[i][k];
     }
     total[CUBES] += cube;
-    if (!body.volume.empty()) total[GIVEN] += body.volume[i];
+    if (!body.volume.empty()) total[GIVEN] += n * body.volume[i];
   }
   body.halo.sum(total, SUMS);
   const double per_cube = total[CLOSED] / total[CLOSED_CUBES];

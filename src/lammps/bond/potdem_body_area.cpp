@@ -35,11 +35,6 @@ void PotdemBodyArea::Halo::forward(double *values, int width)
   store->forward(values, width);
 }
 
-void PotdemBodyArea::Halo::reverse(double *values, int width)
-{
-  store->reverse(values, width);
-}
-
 void PotdemBodyArea::Halo::sum(double *values, int n)
 {
   MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, world);
@@ -51,7 +46,7 @@ void PotdemBodyArea::solve(int type, double density)
 {
   const double began = platform::walltime();
   bigint counts[2] = {collect(type) ? 1 : 0, 0}, all[2];
-  for (const auto &bond : body.bonds) counts[1] += bond.counted;
+  for (const auto &bond : body.bonds) counts[1] += bond.low < body.nowned;
   MPI_Allreduce(counts, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all[0] == 0) return;
   if (density > 0.0) give_volumes(density);
@@ -96,7 +91,6 @@ bool PotdemBodyArea::collect(int type)
     bond.low = atom->tag[i] < atom->tag[j] ? i : j;
     bond.high = bond.low == i ? j : i;
     bond.length = history->length(i, slot);
-    bond.counted = bond.low < atom->nlocal;
     double r2 = 0.0;
     for (int c = 0; c < 3; c++) {
       bond.n[c] = atom->x[bond.high][c] - atom->x[bond.low][c];

@@ -29,7 +29,6 @@ class PotdemBodyArea : protected Pointers {
     class FixPotdemBondHistory *store;
     MPI_Comm world;
     void forward(double *, int) override;
-    void reverse(double *, int) override;
     void sum(double *, int) override;
   };
 

@@ -1,0 +1,197 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "kinds.h"
+
+#include "constants.h"
+
+#include <unordered_map>
+
+using namespace POTDEM;
+
+namespace {
+
+constexpr int NONE = -1;
+
+// simple fractions are far from where this jumps
+std::uint64_t rounded(double value)
+{
+  return static_cast<std::uint64_t>(
+      static_cast<std::int64_t>(std::floor(value / areas::ALIKE + 0.37)));
+}
+
+// every bit of the answer depends on every bit of the argument
+std::uint64_t mixed(std::uint64_t bits)
+{
+  for (int round = 0; round < 2; round++) {
+    bits ^= bits >> 32;
+    bits *= 0x9e3779b97f4a7c15u;    // 2^64 over the golden ratio, odd
+  }
+  return bits ^ bits >> 32;
+}
+
+}    // namespace
+
+Kinds::Kinds(const BondedBody &bonded, int bonds) :
+    body(static_cast<BodyHalo &>(*this)), whole(bonded), kind(bonded.nowned),
+    reduced(bonded.bonds.size(), NONE),
+    scratch(new double[static_cast<std::size_t>(bonded.nall) * BodyHalo::WIDEST])
+{
+  list_kinds(surroundings(bonds));
+  reduce();
+}
+
+/* ----------------------------------------------------------------------
+   a number for all that a particle sees, which does not depend on the order of its bonds; one bond farther in each round
+------------------------------------------------------------------------- */
+
+std::vector<std::uint64_t> Kinds::surroundings(int bonds)
+{
+  find_units();
+  std::vector<std::uint64_t> seen(whole.nall);
+  for (int i = 0; i < whole.nowned; i++) {
+    seen[i] = mixed(rounded(whole.diameter[i] / unit.diameter));
+    if (!whole.volume.empty()) seen[i] = mixed(seen[i] + rounded(whole.volume[i] / unit.volume));
+    for (const auto &to : whole.neighbours(i)) prints.push_back(fingerprint(to));
+  }
+  for (int round = 0; round < bonds; round++) {
+    whole.forward(seen);
+    const auto last = seen;
+    auto print = prints.begin();
+    for (int i = 0; i < whole.nowned; i++) {
+      for (const auto &to : whole.neighbours(i)) seen[i] += mixed(*print++ + last[to.particle]);
+      seen[i] = mixed(seen[i]);
+    }
+  }
+  return seen;
+}
+
+// means over all ranks
+void Kinds::find_units()
+{
+  double total[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < whole.nowned; i++) {
+    for (const auto &to : whole.neighbours(i)) total[0] += whole.bonds[to.bond].length;
+    total[1] += whole.neighbours(i).size();
+    total[2] += whole.diameter[i];
+    if (!whole.volume.empty()) total[3] += whole.volume[i];
+    total[4] += 1.0;
+  }
+  whole.halo.sum(total, 5);
+  unit = {total[0] / total[1], total[2] / total[4], total[3] / total[4]};
+}
+
+std::uint64_t Kinds::fingerprint(const BondedBody::Neighbour &to) const
+{
+  std::uint64_t print = 0;
+  for (const double component : whole.separation(to))
+    print = mixed(print + rounded(component / unit.length));
+  return print;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void Kinds::list_kinds(const std::vector<std::uint64_t> &surroundings)
+{
+  std::unordered_map<std::uint64_t, int> known;
+  for (int i = 0; i < whole.nowned; i++) {
+    const auto neighbours = whole.neighbours(i);
+    const bool alone = std::any_of(neighbours.begin(), neighbours.end(), [this](const auto &to) {
+      return to.particle >= whole.nowned;
+    });
+    const int next = first.size();
+    if (alone) shared.push_back(next);
+    kind[i] = alone ? next : known.emplace(surroundings[i], next).first->second;
+    if (kind[i] == next) {
+      first.push_back(i);
+      body.alike.push_back(0.0);
+    }
+    body.alike[kind[i]] += 1.0;
+  }
+  body.nowned = first.size();
+}
+
+// the bonds of those that are solved
+void Kinds::reduce()
+{
+  std::vector<int> copy(body.nowned + whole.nall - whole.nowned, NONE);
+  const auto place = [&](int i) {
+    if (i < whole.nowned && first[kind[i]] == i) return kind[i];
+    int &at = copy[i < whole.nowned ? kind[i] : body.nowned + i - whole.nowned];
+    if (at == NONE) {
+      at = first.size();
+      first.push_back(i);
+    }
+    return at;
+  };
+  const auto share = [this](int i) {
+    return i < body.nowned ? 0.5 * body.alike[i] : 0.0;
+  };
+  const auto solved = [this](int i) {
+    return i < whole.nowned && first[kind[i]] == i;
+  };
+  for (std::size_t b = 0; b < whole.bonds.size(); b++) {
+    auto bond = whole.bonds[b];
+    if (!solved(bond.low) && !solved(bond.high)) continue;
+    bond.low = place(bond.low);
+    bond.high = place(bond.high);
+    bond.counted = share(bond.low) + share(bond.high);
+    reduced[b] = body.bonds.size();
+    body.bonds.push_back(bond);
+  }
+  body.nall = first.size();
+  for (const int i : first) {
+    body.diameter.push_back(whole.diameter[i]);
+    if (!whole.volume.empty()) body.volume.push_back(whole.volume[i]);
+    body.id.push_back(whole.id[i]);
+  }
+  body.list_neighbours();
+}
+
+// what copies have of other ranks goes through the whole body
+void Kinds::forward(double *values, int width)
+{
+  const auto row = [width](auto *all, int i) {
+    return all + static_cast<std::size_t>(i) * width;
+  };
+  for (const int k : shared) std::copy_n(row(values, k), width, row(scratch.get(), first[k]));
+  whole.halo.forward(scratch.get(), width);
+  for (int k = body.nowned; k < body.nall; k++) {
+    const int i = first[k];
+    const double *from = i < whole.nowned ? row(values, kind[i]) : row(scratch.get(), i);
+    std::copy_n(from, width, row(values, k));
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void Kinds::give_volumes(BondedBody &answered) const
+{
+  answered.volume.resize(whole.nall);
+  for (int i = 0; i < whole.nowned; i++) answered.volume[i] = body.volume[kind[i]];
+  answered.forward(answered.volume);
+}
+
+// a bond has the mean of what its two ends find
+void Kinds::give_areas(BondedBody &answered) const
+{
+  for (auto &bond : answered.bonds) bond.area = 0.0;
+  for (int i = 0; i < whole.nowned; i++)
+    for (const auto &to : whole.neighbours(i)) {
+      const double share = to.particle < whole.nowned ? 0.5 : 1.0;
+      answered.bonds[to.bond].area += share * body.bonds[solved_bond(i, to)].area;
+    }
+}
+
+// like this one of particle i
+int Kinds::solved_bond(int i, const BondedBody::Neighbour &to) const
+{
+  const int chosen = first[kind[i]];
+  if (chosen == i) return reduced[to.bond];
+  const auto print = prints[whole.place(to)];
+  for (const auto &like : whole.neighbours(chosen))
+    if (prints[whole.place(like)] == print) return reduced[like.bond];
+  return NONE;
+}
