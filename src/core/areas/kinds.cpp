@@ -51,6 +51,7 @@ std::vector<std::uint64_t> Kinds::surroundings(int bonds)
 {
   find_units();
   std::vector<std::uint64_t> seen(whole.nall);
+  prints.reserve(2 * whole.bonds.size());
   for (int i = 0; i < whole.nowned; i++) {
     seen[i] = mixed(rounded(whole.diameter[i] / unit.diameter));
     if (!whole.volume.empty()) seen[i] = mixed(seen[i] + rounded(whole.volume[i] / unit.volume));

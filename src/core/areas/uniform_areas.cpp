@@ -14,6 +14,7 @@ namespace {
 std::vector<double> squares(const BondedBody &body, double factor)
 {
   std::vector<double> area;
+  area.reserve(body.bonds.size());
   for (const auto &bond : body.bonds) {
     const double d = 0.5 * (body.diameter[bond.low] + body.diameter[bond.high]);
     area.push_back(factor * d * d);

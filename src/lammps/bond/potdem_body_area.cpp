@@ -81,6 +81,7 @@ bool PotdemBodyArea::collect(int type)
   body.diameter.resize(nall);
   for (int i = 0; i < nall; i++) body.diameter[i] = 2.0 * atom->radius[i];
   body.id.assign(atom->tag, atom->tag + nall);
+  body.bonds.reserve(neighbor->nbondlist);
   for (int k = 0; k < neighbor->nbondlist; k++) {
     const int *entry = neighbor->bondlist[k];
     const int i = entry[0], j = entry[1];

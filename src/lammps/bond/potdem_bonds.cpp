@@ -18,6 +18,7 @@
 #include "force.h"
 #include "group.h"
 #include "math_extra.h"
+#include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 using namespace LAMMPS_NS;
 
@@ -67,11 +67,11 @@ void PotdemBonds::command(int narg, char **arg)
           "larger or r_infl smaller",
           cutoff, domain->prd[k]);
 
-  const auto bonds = find_pairs(neighbours(cutoff));
-  const bigint count = count_bonds(bonds);
+  auto *const list = neighbours(cutoff);
+  const bigint count = keep_bonds(list);
   if (count == 0) found_none(cutoff);
-  make_room(bonds);
-  add(bonds);
+  make_room(list);
+  add(list);
   report(count);
 }
 
@@ -153,20 +153,46 @@ void PotdemBonds::take_over_settings()
 ------------------------------------------------------------------------- */
 
 namespace {
+// gives lists and ghosts their cutoff, and asks for the one list
+class Reach : public Pair {
+ public:
+  Reach(LAMMPS *lmp, double reach) : Pair(lmp), reach(reach)
+  {
+    const int n = atom->ntypes + 1;
+    memory->create(setflag, n, n, "potdem_bonds:setflag");
+    memory->create(cutsq, n, n, "potdem_bonds:cutsq");
+    std::fill_n(&setflag[0][0], n * n, 1);
+    allocated = 1;
+  }
+  ~Reach() override
+  {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+  Reach(const Reach &) = delete;
+  Reach &operator=(const Reach &) = delete;
+
+  void compute(int, int) override {}
+  void settings(int, char **) override {}
+  void coeff(int, char **) override {}
+  void init_style() override
+  {
+    neighbor->add_request(this, NeighConst::REQ_FULL | NeighConst::REQ_OCCASIONAL);
+  }
+  double init_one(int, int) override { return reach; }
+
+ private:
+  double reach;
+};
+
 class StandIn {
  public:
-  StandIn(Force *_force, double cutoff) :
-      force(_force), pair(_force->pair), bond(_force->bond), pair_style(_force->pair_style),
-      bond_style(_force->bond_style)
+  StandIn(LAMMPS *lmp, double cutoff) :
+      force(lmp->force), pair(force->pair), bond(force->bond), pair_style(force->pair_style),
+      bond_style(force->bond_style), own(lmp, cutoff)
   {
-    int suffix;
-    zero.reset(force->new_pair("zero", 0, suffix));
-    std::string text = fmt::format("{:.17g}", cutoff), all = "*";
-    char *settings[] = {&text[0]}, *coeff[] = {&all[0], &all[0]};
-    zero->settings(1, settings);
-    zero->coeff(2, coeff);
-    zero->init();
-    force->pair = zero.get();
+    own.init();
+    force->pair = &own;
     force->bond = nullptr;
     force->pair_style = force->bond_style = none;
   }
@@ -179,6 +205,8 @@ class StandIn {
     force->bond_style = bond_style;
   }
 
+  NeighList *list() const { return own.list; }
+
   StandIn(const StandIn &) = delete;
   StandIn &operator=(const StandIn &) = delete;
 
@@ -188,15 +216,13 @@ class StandIn {
   Bond *bond;
   char *pair_style, *bond_style;
   char none[5] = "none";
-  std::unique_ptr<Pair> zero;
+  Reach own;
 };
 }    // namespace
 
 NeighList *PotdemBonds::neighbours(double cutoff)
 {
-  const StandIn stand_in(force, cutoff);
-  neighbor->add_request(this, "potdem_bonds", NeighConst::REQ_FULL);
-
+  const StandIn stand_in(lmp, cutoff);
   domain->init();
   atom->init();
   neighbor->init();
@@ -210,9 +236,8 @@ NeighList *PotdemBonds::neighbours(double cutoff)
   comm->borders();
   if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
   neighbor->build(0);
-  auto list = neighbor->find_list(this);
-  neighbor->build_one(list);
-  return list;
+  neighbor->build_one(stand_in.list());
+  return stand_in.list();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -222,35 +247,56 @@ bool PotdemBonds::may_bond(int i, int j) const
   return atom->mask[i] & atom->mask[j] & group->bitmask[igroup];
 }
 
-std::vector<PotdemBonds::NewBond> PotdemBonds::find_pairs(NeighList *list)
+// the same two positions in the same order from both ends
+double PotdemBonds::distance(int i, int j) const
 {
-  std::vector<NewBond> found;
-  double **x = atom->x;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (!may_bond(i, j)) continue;
-      // the same two positions in the same order from both ends
-      const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
-      const double del[3] = {x[high][0] - x[low][0], x[high][1] - x[low][1],
-                             x[high][2] - x[low][2]};
-      const double r = sqrt(del[0] * del[0] + del[1] * del[1] + del[2] * del[2]);
-      const double dbar = atom->radius[i] + atom->radius[j];
-      if (r > (in_diameters ? reach * dbar : reach) * (1.0 + SHELL_TOLERANCE)) continue;
-      if (r == 0.0)
-        error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i],
-                   atom->tag[j]);
-      const bool cut = region && crosses_crack(x[low], x[high]);
-      if (cut && r >= dbar) continue;
-      found.push_back({i, atom->tag[j], cut ? -r : r, 0.0});
-    }
-  }
-  return found;
+  const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+  double del[3];
+  MathExtra::sub3(atom->x[high], atom->x[low], del);
+  return MathExtra::len3(del);
 }
 
-bool PotdemBonds::crosses_crack(const double *from, const double *to) const
+/* ----------------------------------------------------------------------
+   the list keeps those neighbours that will be bonded; how many bonds that are, over all ranks. Of the pairs that a crack
+   cuts, those that touch are known as contacts
+------------------------------------------------------------------------- */
+
+bigint PotdemBonds::keep_bonds(NeighList *list)
 {
+  contacts.clear();
+  bigint ends = 0, all;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    int *const neighbours = list->firstneigh[i];
+    int kept = 0;
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = neighbours[jj] & NEIGHMASK;
+      if (will_bond(i, j)) neighbours[kept++] = j;
+    }
+    list->numneigh[i] = kept;
+    ends += kept;
+  }
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all / 2;
+}
+
+bool PotdemBonds::will_bond(int i, int j)
+{
+  if (!may_bond(i, j)) return false;
+  const double r = distance(i, j), dbar = atom->radius[i] + atom->radius[j];
+  if (r > (in_diameters ? reach * dbar : reach) * (1.0 + SHELL_TOLERANCE)) return false;
+  if (r == 0.0)
+    error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i],
+               atom->tag[j]);
+  if (!region || !crosses_crack(i, j)) return true;
+  if (r < dbar && atom->tag[i] < atom->tag[j]) contacts.push_back({atom->tag[i], atom->tag[j], r});
+  return false;
+}
+
+bool PotdemBonds::crosses_crack(int i, int j) const
+{
+  const int low = atom->tag[i] < atom->tag[j] ? i : j, high = low == i ? j : i;
+  const double *from = atom->x[low], *to = atom->x[high];
   for (int k = 0; k <= CRACK_SAMPLES; k++) {
     const double t = static_cast<double>(k) / CRACK_SAMPLES;
     if (region->match(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
@@ -262,11 +308,13 @@ bool PotdemBonds::crosses_crack(const double *from, const double *to) const
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBonds::make_room(const std::vector<NewBond> &bonds)
+void PotdemBonds::make_room(const NeighList *list)
 {
-  std::vector<int> need(atom->num_bond, atom->num_bond + atom->nlocal);
-  for (const auto &bond : bonds) need[bond.i] += bond.length > 0.0;
-  int most = need.empty() ? 0 : *std::max_element(need.begin(), need.end()), all;
+  int most = 0, all;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    most = MAX(most, atom->num_bond[i] + list->numneigh[i]);
+  }
   MPI_Allreduce(&most, &all, 1, MPI_INT, MPI_MAX, world);
   if (all > atom->bond_per_atom) grow_bonds_per_atom(all);
 }
@@ -279,16 +327,18 @@ void PotdemBonds::make_room(const std::vector<NewBond> &bonds)
 void PotdemBonds::grow_bonds_per_atom(int nbond)
 {
   auto store = FixPotdemBondHistory::find(lmp);
-  std::vector<NewBond> old;
-  std::vector<int> types;
+  struct OldBond {
+    int i, type;
+    tagint partner;
+    double length, area;
+  };
+  std::vector<OldBond> old;
   for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++) {
-      types.push_back(atom->bond_type[i][m]);
-      old.push_back({i, atom->bond_atom[i][m], store ? store->length(i, m) : 0.0,
-                     store ? store->area(i, m) : 0.0});
-    }
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      old.push_back({i, atom->bond_type[i][m], atom->bond_atom[i][m],
+                     store ? store->length(i, m) : 0.0, store ? store->area(i, m) : 0.0});
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
-  const auto contacts = store ? store->new_contacts : std::vector<PotdemNewContact>();
+  const auto known = store ? store->new_contacts : std::vector<PotdemNewContact>();
   if (store) modify->delete_fix(store->id);
 
   atom->bond_per_atom = nbond;
@@ -296,43 +346,35 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
 
   store = FixPotdemBondHistory::create(lmp);
   store->ghost_cutoff = ghost_cutoff;
-  store->new_contacts = contacts;
+  store->new_contacts = known;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
-  for (std::size_t k = 0; k < old.size(); k++) {
-    const int i = old[k].i, m = atom->num_bond[i]++;
-    atom->bond_type[i][m] = types[k];
-    atom->bond_atom[i][m] = old[k].partner;
-    store->store(i, m, old[k].length, old[k].area);
+  for (const auto &bond : old) {
+    const int i = bond.i, m = atom->num_bond[i]++;
+    atom->bond_type[i][m] = bond.type;
+    atom->bond_atom[i][m] = bond.partner;
+    store->store(i, m, bond.length, bond.area);
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBonds::add(const std::vector<NewBond> &bonds)
+void PotdemBonds::add(const NeighList *list)
 {
   auto store = FixPotdemBondHistory::ensure(lmp);
-  for (const auto &bond : bonds) {
-    if (bond.length < 0.0) continue;
-    const int m = atom->num_bond[bond.i]++;
-    atom->bond_type[bond.i][m] = btype;
-    atom->bond_atom[bond.i][m] = bond.partner;
-    store->store(bond.i, m, bond.length);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj], m = atom->num_bond[i]++;
+      atom->bond_type[i][m] = btype;
+      atom->bond_atom[i][m] = atom->tag[j];
+      store->store(i, m, distance(i, j));
+    }
   }
   Special special(lmp);
   special.build();
-  announce_contacts(bonds);
-}
-
-// pairs that a crack cuts and that touch: their law of contact begins where they are
-void PotdemBonds::announce_contacts(const std::vector<NewBond> &bonds)
-{
-  std::vector<PotdemNewContact> mine;
-  for (const auto &bond : bonds)
-    if (bond.length < 0.0 && atom->tag[bond.i] < bond.partner)
-      mine.push_back({atom->tag[bond.i], bond.partner, -bond.length});
-  const auto all = potdem_gather(lmp, mine, "pairs that a crack cuts");
-  auto &known = FixPotdemBondHistory::ensure(lmp)->new_contacts;
-  known.insert(known.end(), all.begin(), all.end());
+  // pairs that a crack cuts and that touch: their law of contact begins where they are
+  const auto all = potdem_gather(lmp, contacts, "pairs that a crack cuts");
+  store->new_contacts.insert(store->new_contacts.end(), all.begin(), all.end());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -346,17 +388,6 @@ void PotdemBonds::report(bigint count)
                    count, btype, group->names[igroup], per_particle);
 }
 
-// over all ranks, without the pairs that a crack cuts
-bigint PotdemBonds::count_bonds(const std::vector<NewBond> &bonds) const
-{
-  bigint ends = std::count_if(bonds.begin(), bonds.end(), [](const NewBond &b) {
-    return b.length > 0.0;
-  });
-  bigint all;
-  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all / 2;
-}
-
 /* ----------------------------------------------------------------------
    why there is no bond: the crack cuts every pair, or r_infl is below every distance
 ------------------------------------------------------------------------- */
@@ -366,7 +397,7 @@ void PotdemBonds::found_none(double cutoff)
   const auto within = fmt::format("r_infl = {}{}", reach, in_diameters ? " diameters" : "");
   if (region) {
     region = nullptr;
-    if (count_bonds(find_pairs(neighbours(cutoff))) > 0)
+    if (keep_bonds(neighbours(cutoff)) > 0)
       error->all(FLERR,
                  "potdem_bonds: the crack, region {}, cuts every pair of group '{}' within {}: "
                  "make it thinner",
@@ -392,9 +423,7 @@ double PotdemBonds::shortest_distance(double cutoff)
       const int i = list->ilist[ii];
       for (int jj = 0; jj < list->numneigh[i]; jj++) {
         const int j = list->firstneigh[i][jj] & NEIGHMASK;
-        double del[3];
-        MathExtra::sub3(atom->x[i], atom->x[j], del);
-        if (may_bond(i, j)) mine = MIN(mine, MathExtra::len3(del));
+        if (may_bond(i, j)) mine = MIN(mine, distance(i, j));
       }
     }
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);

@@ -9,6 +9,8 @@
 #ifndef LMP_POTDEM_BONDS_H
 #define LMP_POTDEM_BONDS_H
 
+#include "lammps/glue/interfaces.h"
+
 #include "command.h"
 
 #include <string>
@@ -22,34 +24,28 @@ class PotdemBonds : public Command {
   void command(int, char **) override;
 
  private:
-  struct NewBond {
-    int i;    // owned atom
-    tagint partner;
-    double length;    // negative: no bond but a contact of this length
-    double area;      // as in FixPotdemBondHistory
-  };
-
   int igroup, btype;
   double reach;
   bool in_diameters;
   std::string crack;
   class Region *region;
+  std::vector<PotdemNewContact> contacts;    // pairs that the crack cuts
 
   void read(int, char **);
   void check_style();
   void check_atoms();
   void take_over_settings();
   class NeighList *neighbours(double cutoff);
-  std::vector<NewBond> find_pairs(class NeighList *);
-  bigint count_bonds(const std::vector<NewBond> &) const;
+  bigint keep_bonds(class NeighList *);
+  bool will_bond(int i, int j);
+  double distance(int i, int j) const;
   [[noreturn]] void found_none(double cutoff);
   double shortest_distance(double cutoff);
   bool may_bond(int i, int j) const;
-  bool crosses_crack(const double *from, const double *to) const;
-  void announce_contacts(const std::vector<NewBond> &);
-  void make_room(const std::vector<NewBond> &);
+  bool crosses_crack(int i, int j) const;
+  void make_room(const class NeighList *);
   void grow_bonds_per_atom(int);
-  void add(const std::vector<NewBond> &);
+  void add(const class NeighList *);
   void report(bigint count);
 };
 
