@@ -5,7 +5,6 @@
 
 #include "lammps/bond/potdem_bonds.h"
 
-#include "core/laws/truss.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/potdem_gather.h"
 #include "lammps/glue/potdem_input.h"
