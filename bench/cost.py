@@ -2,35 +2,16 @@
 # Distributed under the GNU General Public License, version 2
 
 """What each feature costs in nanoseconds a step, beside LAMMPS's own styles on the same network and the same contacts; all
-run in turn on one core, several times. Prints Markdown. Asserts nothing: times belong to the machine."""
+run in turn on one core, several times. Markdown. Asserts nothing: times belong to the machine."""
 
-import argparse
-import re
-import statistics
 import sys
-import tempfile
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from dataclasses import replace
 
-from potdem import running
+from measure import Bench, Case, added, spread
 from potdem.reports import writing
 
-HERE = Path(__file__).resolve().parent
 LEDGER = ("compute ledger all potdem/energy", "fix mean all ave/time 1 1 1 c_ledger")
 PACE = "fix pace all potdem/timestep 1 0.1 max 0.02"
-
-
-@dataclass
-class Case:
-    """what is timed: the parts of LAMMPS's loop that count, per bond, contact or particle; less the cost of `base`"""
-
-    name: str
-    style: str
-    per: str
-    parts: tuple
-    variables: dict = field(default_factory=dict)
-    base: "Case | None" = None
-    script: str = "in.cost"
 
 
 def bond(name, coeff="", style="potdem"):
@@ -49,13 +30,6 @@ SOLID = Case("", "potdem", "bond", ("Loop",))
 LAYER = Case("", "floor", "particle", ("Modify",))
 HERTZ = Case("", "contact", "contact", ("Loop",), {"pair": "potdem/hertz", "coeff": "1.0 0.3"})
 SLIDING = replace(HERTZ, variables={"pair": "potdem/hertz", "coeff": "1.0 0.3 friction 0.3 auto"})
-
-
-def added(name, base, *more, parts=("Loop",), per=None):
-    """what commands add to the case `base`"""
-    base = replace(base, parts=parts)
-    return replace(base, name=name, per=per or base.per, variables={**base.variables, **dict(zip(("more", "more2"), more))},
-                   base=base)
 
 
 def wall(name, options="", region="floor"):
@@ -115,39 +89,6 @@ COMPARED = [
 ]
 
 
-class Bench:
-    """runs each script once a round"""
-
-    def __init__(self, size, steps, lmp=None):
-        self.size, self.steps, self.lmp = size, steps, lmp
-        self.known = {}
-
-    def run(self, case):
-        """seconds of the loop's parts that count for the case, and the number of bonds, contacts or particles"""
-        key = str((case.script, case.style, case.variables))
-        given = {"n": self.size, "steps": self.steps, "style": case.style, **case.variables}
-        if key not in self.known:
-            self.known[key] = launch(case.script, given, self.lmp)
-        parts, links = self.known[key]
-        return sum(parts[part] for part in case.parts), given["n"] ** 3 if case.per == "particle" else links
-
-    def cost(self, case):
-        """ns each and step"""
-        seconds, count = self.run(case)
-        without = self.run(case.base)[0] if case.base else 0.0
-        return 1e9 * (seconds - without) / count / case.variables.get("steps", self.steps)
-
-
-def launch(script, variables, lmp=None):
-    """seconds of each part of the loop, and the number in the last column of the thermo output; lmp: if not the build's"""
-    given = {name: value for name, value in variables.items() if value != ""}
-    with tempfile.TemporaryDirectory() as folder:
-        text = running.must_run(HERE / script, given, folder, lmp=lmp).stdout
-    parts = {name: float(value) for name, value in re.findall(r"^(\w+) +\| +\S+ +\| (\S+)", text, re.M)}
-    parts["Loop"] = float(re.search(r"Loop time of (\S+)", text).group(1))
-    return parts, int(text[: text.index("Loop time")].splitlines()[-1].split()[-1])
-
-
 def rounds(arguments):
     """title -> costs of its cases in ns, one list a round; and the share of the pair part in the intact solid, per cent"""
     found, shares = {title: [] for title in TABLES}, []
@@ -158,10 +99,6 @@ def rounds(arguments):
         shares.append(100 * bench.run(replace(SOLID, parts=("Pair",)))[0] / bench.run(SOLID)[0])
         print(f"round {number + 1} of {arguments.repeats} done", file=sys.stderr, flush=True)
     return found, shares
-
-
-def spread(values, digits=1):
-    return f"{statistics.median(values):.{digits}f} ({min(values):.{digits}f} to {max(values):.{digits}f})"
 
 
 def report(found, shares):
@@ -212,26 +149,3 @@ use runs no code and communicates nothing is what `unittest/python/test_left_out
 
 {tables}
 """
-
-
-def main(argv):
-    parser = argparse.ArgumentParser(prog="bench/run")
-    parser.add_argument("--size", type=int, default=40, help="particles along an edge (default 40: 64 000)")
-    parser.add_argument("--steps", type=int, default=100)
-    parser.add_argument("--repeats", type=int, default=5)
-    parser.add_argument("--against", type=Path, metavar="BUILD", help="compare with the LAMMPS of another build folder, case by case")
-    parser.add_argument("--page", action="store_true", help="for maintainers: write docs/report/cost.md as well")
-    arguments = parser.parse_args(argv)
-    if arguments.against:
-        print(against(arguments))
-        return
-    machine = writing.table(("machine", ""), writing.machine())
-    tables = report(*rounds(arguments))
-    print(tables)
-    if arguments.page:
-        page = PAGE.format(size=arguments.size**3, steps=arguments.steps, repeats=arguments.repeats, machine=machine, tables=tables)
-        (writing.folder(short=False) / "cost.md").write_text(page, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

@@ -21,13 +21,14 @@ MATERIALS = ROOT / "potentials"
 @dataclass
 class Run:
     """folder: where LAMMPS ran; status: exit status, negative if killed; stdout: what it wrote to the screen; log: text of its
-    log file, if it wrote one; cpu: user and system time of the process, s"""
+    log file, if it wrote one; cpu: user and system time of the process, s; peak: its largest memory, bytes"""
 
     folder: Path
     status: int
     stdout: str
     log: str = ""
     cpu: float = 0.0
+    peak: int = 0
 
     @property
     def ended_well(self):
@@ -63,10 +64,12 @@ def environment(**more):
     return {**settings, **os.environ, "LAMMPS_POTENTIALS": os.pathsep.join(folders), **more}
 
 
-def command(script, variables, log="none", nprocs=1, lmp=None):
+def command(script, variables, log="none", nprocs=1, lmp=None, threads=1):
     """LAMMPS's command line, of the build's LAMMPS if no other is given; a variable may be a list of words; nothing is buffered,
-    so that progress is seen at once"""
+    so that progress is seen at once; threads: of each rank, by the styles for OpenMP where there are several"""
     arguments = [str(lmp or LMP), "-in", str(script), "-log", str(log), "-nonbuf"]
+    if threads > 1:
+        arguments += ["-sf", "omp", "-pk", "omp", str(threads)]
     for name, value in variables.items():
         arguments += ["-var", name, *(str(v) for v in (value if isinstance(value, list) else [value]))]
     return on_ranks(nprocs, arguments) if nprocs > 1 else arguments
@@ -78,7 +81,8 @@ def on_ranks(nprocs, arguments):
 
 
 def processor_seconds(arguments, folder, output, limit=None):
-    """(exit status, processor seconds) of a program whose output goes to a file; killed after `limit` seconds"""
+    """(exit status, processor seconds, peak memory in bytes) of a program whose output goes to a file; killed after `limit`
+    seconds"""
     with open(output, "w", encoding="utf-8") as file:
         process = subprocess.Popen(arguments, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, stdout=file,
                                    stderr=subprocess.STDOUT)
@@ -88,10 +92,11 @@ def processor_seconds(arguments, folder, output, limit=None):
         _, status, usage = os.wait4(process.pid, 0)
         timer.cancel()
     process.returncode = os.waitstatus_to_exitcode(status)
-    return process.returncode, usage.ru_utime + usage.ru_stime
+    return process.returncode, usage.ru_utime + usage.ru_stime, 1024 * usage.ru_maxrss
 
 
-def run(script, variables, folder, nprocs=1, name="run", log="none", screen="screen", limit=None, lmp=None):
+def run(script, variables, folder, nprocs=1, name="run", log="none", screen="screen", limit=None, lmp=None,
+        threads=1):
     """a Run. script: path of an input script, or its text, which goes to in.<name>; LAMMPS runs in the folder, to which the paths
     of its log and of the file with its screen output are relative; limit: s; lmp: if not the build's"""
     folder = Path(folder).resolve()
@@ -101,8 +106,8 @@ def run(script, variables, folder, nprocs=1, name="run", log="none", screen="scr
         script = f"in.{name}"
     else:
         script = Path(script).resolve()
-    status, cpu = processor_seconds(command(script, variables, log, nprocs, lmp), folder, folder / screen, limit)
-    return Run(folder, status, logs.read(folder / screen), logs.read(folder / log) if (folder / log).exists() else "", cpu)
+    status, cpu, peak = processor_seconds(command(script, variables, log, nprocs, lmp, threads), folder, folder / screen, limit)
+    return Run(folder, status, logs.read(folder / screen), logs.read(folder / log) if (folder / log).exists() else "", cpu, peak)
 
 
 def must_run(script, variables, folder, **settings):

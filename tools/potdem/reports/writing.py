@@ -37,6 +37,18 @@ def table(header, rows):
     return "\n".join(lines)
 
 
+def with_blocks(text, found):
+    """a page with the blocks of these names replaced; they stand between <!-- block NAME --> and <!-- end of NAME -->"""
+    for name, block in found.items():
+        begin, end = f"<!-- block {name} -->\n", f"<!-- end of {name} -->"
+        before, _, rest = text.partition(begin)
+        _, _, after = rest.partition(end)
+        if not after:
+            raise ValueError(f"the page has no block {name}")
+        text = f"{before}{begin}\n{block}\n\n{end}{after}"
+    return text
+
+
 def write_csv(path, header, rows):
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")

@@ -91,7 +91,7 @@ def calculix_setting(cells, step):
         mesh = calculix.Mesh(*struck_beam.CLAMPS["layer"], cells)
         (folder / "mesh.inp").write_text(mesh.text(), encoding="utf-8")
         (folder / "job.inp").write_text(calculix.deck(mesh, "mesh.inp", "f1", True, step, TIME, 1), encoding="utf-8")
-        status, seconds = running.processor_seconds(["ccx", "-i", "job"], folder, folder / "screen")
+        status, seconds, _ = running.processor_seconds(["ccx", "-i", "job"], folder, folder / "screen")
         if status:
             return seconds, FAILED
         return seconds, of_history(5, *calculix.history((folder / "job.dat").read_text(encoding="utf-8"), mesh.shares()).T)
