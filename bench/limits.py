@@ -60,12 +60,12 @@ class Work:
 
 
 # bond_potdem_loop.h. Difference of places 3, square of the distance 5, over that of the reference 1, load 1, pull 2, force 3, sums of both
-# particles 6; a root and a division. Partner and type 4 each, length and stiffness 8 each; place 24, force read and written 48, first bond
-# and first ghost 4 each. Damping: difference of velocities 3, times distance 5, dashpot 3, sum 1; dashpot 8, velocity 24. Penetration 6: nine
+# particles 6; a root and a division. Partner 4, type 2, length and stiffness 8 each; place 24, force read and written 48, first bond and
+# first ghost 4 each. Damping: difference of velocities 3, times distance 5, dashpot 3, sum 1; dashpot 8, velocity 24. Penetration 6: nine
 # and the product; a root and a division
-BOND = dict(added=21, divided=2, own=24, particle=80)
-DAMPED = dict(added=33, divided=2, own=32, particle=104)
-PENETRATED = dict(added=31, divided=4, own=24, particle=80)
+BOND = dict(added=21, divided=2, own=22, particle=80)
+DAMPED = dict(added=33, divided=2, own=30, particle=104)
+PENETRATED = dict(added=31, divided=4, own=22, particle=80)
 # pair_potdem_loop.h, contact.h, hertz.h: difference of places 3, square 5, reach 3, overlap and force 8, push 4, sums 6; roots of r2 and R w,
 # divisions by r and ri + rj. Entry of the list 4; place, radius, type, force, list of the particle 24 + 8 + 4 + 48 + 12
 HERTZ = dict(added=29, divided=4, own=4, particle=96)

@@ -4,7 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* Counts what a rank sends, by MPI's own profiling interface: loaded before MPI (LD_PRELOAD), it stands between LAMMPS and it. At the
-   end each rank prints "MESSAGES sent bytes collective". bench/cluster.py compiles and uses it. */
+   end each rank prints "MESSAGES sent bytes collective", the last of calls in which all ranks take part. bench/cluster.py and
+   unittest/python/test_global_calls.py compile and use it. */
 
 #include <mpi.h>
 #include <stdio.h>
@@ -46,6 +47,32 @@ int MPI_Allreduce(const void *data, void *result, int n, MPI_Datatype type, MPI_
 {
   collective++;
   return PMPI_Allreduce(data, result, n, type, op, comm);
+}
+
+int MPI_Allgather(const void *data, int n, MPI_Datatype type, void *all, int each,
+                  MPI_Datatype their_type, MPI_Comm comm)
+{
+  collective++;
+  return PMPI_Allgather(data, n, type, all, each, their_type, comm);
+}
+
+int MPI_Bcast(void *data, int n, MPI_Datatype type, int root, MPI_Comm comm)
+{
+  collective++;
+  return PMPI_Bcast(data, n, type, root, comm);
+}
+
+int MPI_Reduce(const void *data, void *result, int n, MPI_Datatype type, MPI_Op op, int root,
+               MPI_Comm comm)
+{
+  collective++;
+  return PMPI_Reduce(data, result, n, type, op, root, comm);
+}
+
+int MPI_Barrier(MPI_Comm comm)
+{
+  collective++;
+  return PMPI_Barrier(comm);
 }
 
 int MPI_Finalize(void)
