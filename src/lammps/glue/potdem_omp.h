@@ -40,13 +40,17 @@ template <class Style, int KIND> class PotdemOMP : public Style, public ThrOMP {
 
 #pragma omp parallel default(shared)
     {
-      int from, to, tid;
-      loop_setup_thr(from, to, tid, count, nthreads);
+      const int tid = thread_number(), npieces = PIECES * nthreads;
       ThrData *thread = fix->get_thr(tid);
       thread->timer(Timer::START);
       ev_setup_thr(eflag, vflag, nall, this->eatom, this->vatom, nullptr, thread);
-      shares[tid] = Style::share(from, to, thread->get_f(), thread->get_torque(), thread);
-      this->work(shares[tid]);
+      auto &share = shares[tid];
+      share = Style::share(0, 0, thread->get_f(), thread->get_torque(), thread);
+      for (int piece = tid; piece < npieces; piece += nthreads) {
+        share.from = begin_of(piece, npieces, count);
+        share.to = begin_of(piece + 1, npieces, count);
+        this->work(share);
+      }
       thread->timer(static_cast<Timer::ttype>(KIND));
       reduce_thr(this, eflag, vflag, thread);
     }
@@ -56,6 +60,23 @@ template <class Style, int KIND> class PotdemOMP : public Style, public ThrOMP {
   double memory_usage() override
   {
     return Style::memory_usage() + memory_usage_thr();
+  }
+
+ private:
+  // of each thread, taken in turn: particles are sorted by place, and those at the bottom of a heap have most contacts
+  static constexpr int PIECES = 8;
+
+  static int begin_of(int piece, int npieces, int count)
+  {
+    return static_cast<int>(static_cast<bigint>(count) * piece / npieces);
+  }
+  static int thread_number()
+  {
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
   }
 };
 

@@ -32,6 +32,8 @@ using namespace FixConst;
 // friction of a particle that touches several faces: at most so many rounds, to this fraction of its limit
 static constexpr int MAX_ROUNDS = 200;
 static constexpr double ROUNDING = 1e-14;
+// particles that a thread does before it leaves the next ones to another: those that touch come together
+static constexpr std::size_t PIECE = 64;
 // a normal within this of the plane z = 0 lies in it
 static constexpr double UPRIGHT = 1e-9;
 
@@ -310,16 +312,25 @@ void FixPotdemWallRegion::push_from_planes(const Wall &wall, const Rate &dashpot
 template <bool SLIDE, bool MOVE, class Wall, class Rate>
 void FixPotdemWallRegion::push_part(int part, const Wall &wall, const Rate &dashpot)
 {
-  auto &share = shares[part];
-  const std::size_t count = near_planes.size(), nparts = shares.size();
-  for (std::size_t k = count * part / nparts; k < count * (part + 1) / nparts; k++) {
-    const auto [i, which] = near_planes[k];
-    if (!(atom->mask[i] & groupbit)) continue;
-    share.faces.clear();
-    if (surface.faces_of(which, atom->x[i], wall.reach(atom->radius[i]), share.faces))
-      push<SLIDE, MOVE>(i, share.faces, wall, dashpot, share);
-    else
-      share.passed.push_back(i);
+  const std::size_t count = near_planes.size(), stride = PIECE * shares.size();
+  for (std::size_t begin = PIECE * part; begin < count; begin += stride)
+    for (std::size_t k = begin; k < std::min(begin + PIECE, count); k++)
+      push_near<SLIDE, MOVE>(near_planes[k], wall, dashpot, shares[part]);
+}
+
+template <bool SLIDE, bool MOVE, class Wall, class Rate>
+void FixPotdemWallRegion::push_near(NearPlanes &one, const Wall &wall, const Rate &dashpot,
+                                    ThreadShare &share)
+{
+  const int i = one.i;
+  if (!(atom->mask[i] & groupbit)) return;
+  share.faces.clear();
+  if (!surface.faces_of(one.which, atom->x[i], wall.reach(atom->radius[i]), share.faces)) {
+    share.passed.push_back(i);
+    one.remembers = true;
+  } else if (!share.faces.empty() || one.remembers) {
+    push<SLIDE, MOVE>(i, share.faces, wall, dashpot, share);
+    one.remembers = SLIDE && remembers(i);
   }
 }
 
@@ -351,11 +362,13 @@ template <class Wall> void FixPotdemWallRegion::list_near(const Wall &wall)
     const double reach = wall.reach(atom->radius[i]) + 2.0 * neighbor->skin;
     find_images(atom->x[i]);
     PotdemWallSurface::Planes which;
+    const auto is_near = [this, reach](const auto &place) {
+      return surface.is_near(place.data(), reach);
+    };
+    const bool kept = remembers(i);    // to be forgotten, if it has left
     if (flat && images.size() == 1 && surface.find_planes(atom->x[i], reach, which)) {
-      if (which) near_planes.push_back({i, which});
-    } else if (std::any_of(images.begin(), images.end(), [this, reach](const auto &place) {
-                 return surface.is_near(place.data(), reach);
-               })) {
+      if (which || kept) near_planes.push_back({i, kept, which});
+    } else if (kept || std::any_of(images.begin(), images.end(), is_near)) {
       near.push_back(i);
     }
   }
@@ -412,7 +425,7 @@ void FixPotdemWallRegion::push(int i, const std::vector<PotdemWallSurface::Face>
       book(i, touch, f, share);
     }
   }
-  if (SLIDE && (!touches.empty() || (memory && !memory->is_empty(i)))) (*rub)(i, share);
+  if (SLIDE && (!touches.empty() || remembers(i))) (*rub)(i, share);
 }
 
 // the face that a centre has passed, if the law goes on there

@@ -116,6 +116,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   // between two neighbour lists: only these may touch the wall
   struct NearPlanes {
     int i;
+    bool remembers;    // of its memory, which is far away
     PotdemWallSurface::Planes which;
   };
   std::vector<NearPlanes> near_planes;
@@ -146,6 +147,12 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void push_from_planes(const Wall &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push_part(int part, const Wall &, const Rate &);
+  template <bool SLIDE, bool MOVE, class Wall, class Rate>
+  void push_near(NearPlanes &, const Wall &, const Rate &, ThreadShare &);
+  bool remembers(int i) const
+  {
+    return memory && !memory->is_empty(i);
+  }
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
   void push(int i, const Wall &, const Rate &);
   template <bool SLIDE, bool MOVE, class Wall, class Rate>
