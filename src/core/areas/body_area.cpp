@@ -73,7 +73,9 @@ BodyAreaReport POTDEM::find_body_areas(BondedBody &body)
   BodyAreaReport refused{};
   refused.outcome = BodyAreaReport::NO_INSIDE;
   body.list_neighbours();
-  Kinds near(body, areas::SEEN_BONDS);
+  Surroundings surroundings(body);
+  surroundings.look(areas::SEEN_BONDS);
+  Kinds near(body, surroundings);
   const Cells cells(near.body);
   const Surfaces surfaces(near.body, cells);
   if (!find_volumes(near.body, cells, surfaces)) return refused;
@@ -81,7 +83,8 @@ BodyAreaReport POTDEM::find_body_areas(BondedBody &body)
   if (uniform.factor == 0.0) return refused;
   near.give_volumes(body);
 
-  Kinds alike(body, areas::ALIKE_BONDS);
+  surroundings.look(areas::ALIKE_BONDS);
+  Kinds alike(body, surroundings);
   const auto given = [&](const auto &values) {
     return alike.take(near, values);
   };

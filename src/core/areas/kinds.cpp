@@ -15,11 +15,11 @@ namespace {
 
 constexpr int NONE = -1;
 
-// simple fractions are far from where this jumps
+// down to a whole number; simple fractions are far from where this jumps. The middle makes all numbers positive, for which a cast does it
 std::uint64_t rounded(double value)
 {
-  return static_cast<std::uint64_t>(
-      static_cast<std::int64_t>(std::floor(value / areas::ALIKE + 0.37)));
+  constexpr double MIDDLE = 1ul << 45;
+  return static_cast<std::int64_t>(value / areas::ALIKE + 0.37 + MIDDLE);
 }
 
 // every bit of the answer depends on every bit of the argument
@@ -34,67 +34,68 @@ std::uint64_t mixed(std::uint64_t bits)
 
 }    // namespace
 
-Kinds::Kinds(const BondedBody &bonded, int bonds) :
-    body(static_cast<BodyHalo &>(*this)), whole(bonded), kind(bonded.nowned),
-    reduced(bonded.bonds.size(), NONE),
-    scratch(new double[static_cast<std::size_t>(bonded.nall) * BodyHalo::WIDEST])
-{
-  list_kinds(surroundings(bonds));
-  reduce();
-}
-
-/* ----------------------------------------------------------------------
-   a number for all that a particle sees, which does not depend on the order of its bonds; one bond farther in each round
-------------------------------------------------------------------------- */
-
-std::vector<std::uint64_t> Kinds::surroundings(int bonds)
+Surroundings::Surroundings(const BondedBody &bonded) : seen(bonded.nall), body(bonded), looked(0)
 {
   find_units();
-  std::vector<std::uint64_t> seen(whole.nall);
-  prints.reserve(2 * whole.bonds.size());
-  for (int i = 0; i < whole.nowned; i++) {
-    seen[i] = mixed(rounded(whole.diameter[i] / unit.diameter));
-    if (!whole.volume.empty()) seen[i] = mixed(seen[i] + rounded(whole.volume[i] / unit.volume));
-    for (const auto &to : whole.neighbours(i)) prints.push_back(fingerprint(to));
+  prints.reserve(2 * body.bonds.size());
+  for (int i = 0; i < body.nowned; i++) {
+    seen[i] = mixed(rounded(body.diameter[i] / unit.diameter));
+    if (!body.volume.empty()) seen[i] = mixed(seen[i] + rounded(body.volume[i] / unit.volume));
+    for (const auto &to : body.neighbours(i)) prints.push_back(fingerprint(to));
   }
-  for (int round = 0; round < bonds; round++) {
-    whole.forward(seen);
-    const auto last = seen;
-    auto print = prints.begin();
-    for (int i = 0; i < whole.nowned; i++) {
-      for (const auto &to : whole.neighbours(i)) seen[i] += mixed(*print++ + last[to.particle]);
-      seen[i] = mixed(seen[i]);
-    }
-  }
-  return seen;
 }
 
 // means over all ranks
-void Kinds::find_units()
+void Surroundings::find_units()
 {
   double total[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
-  for (int i = 0; i < whole.nowned; i++) {
-    for (const auto &to : whole.neighbours(i)) total[0] += whole.bonds[to.bond].length;
-    total[1] += whole.neighbours(i).size();
-    total[2] += whole.diameter[i];
-    if (!whole.volume.empty()) total[3] += whole.volume[i];
+  for (int i = 0; i < body.nowned; i++) {
+    for (const auto &to : body.neighbours(i)) total[0] += body.bonds[to.bond].length;
+    total[1] += body.neighbours(i).size();
+    total[2] += body.diameter[i];
+    if (!body.volume.empty()) total[3] += body.volume[i];
     total[4] += 1.0;
   }
-  whole.halo.sum(total, 5);
+  body.halo.sum(total, 5);
   unit = {total[0] / total[1], total[2] / total[4], total[3] / total[4]};
 }
 
-std::uint64_t Kinds::fingerprint(const BondedBody::Neighbour &to) const
+std::uint64_t Surroundings::fingerprint(const BondedBody::Neighbour &to) const
 {
   std::uint64_t print = 0;
-  for (const double component : whole.separation(to))
+  for (const double component : body.separation(to))
     print = mixed(print + rounded(component / unit.length));
   return print;
 }
 
+// the sums over the neighbours do not depend on their order
+void Surroundings::look(int bonds)
+{
+  for (; looked < bonds; looked++) {
+    body.forward(seen);
+    const auto last = seen;
+    auto print = prints.begin();
+    for (int i = 0; i < body.nowned; i++) {
+      for (const auto &to : body.neighbours(i)) seen[i] += mixed(*print++ + last[to.particle]);
+      seen[i] = mixed(seen[i]);
+    }
+  }
+}
+
 /* ---------------------------------------------------------------------- */
 
-void Kinds::list_kinds(const std::vector<std::uint64_t> &surroundings)
+Kinds::Kinds(const BondedBody &bonded, const Surroundings &surroundings) :
+    body(static_cast<BodyHalo &>(*this)), whole(bonded), prints(surroundings.prints),
+    kind(bonded.nowned), reduced(bonded.bonds.size(), NONE),
+    scratch(new double[static_cast<std::size_t>(bonded.nall) * BodyHalo::WIDEST])
+{
+  list_kinds(surroundings.seen);
+  reduce();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void Kinds::list_kinds(const std::vector<std::uint64_t> &seen)
 {
   std::unordered_map<std::uint64_t, int> known;
   for (int i = 0; i < whole.nowned; i++) {
@@ -104,7 +105,7 @@ void Kinds::list_kinds(const std::vector<std::uint64_t> &surroundings)
     });
     const int next = first.size();
     if (alone) shared.push_back(next);
-    kind[i] = alone ? next : known.emplace(surroundings[i], next).first->second;
+    kind[i] = alone ? next : known.emplace(seen[i], next).first->second;
     if (kind[i] == next) {
       first.push_back(i);
       body.alike.push_back(0.0);

@@ -20,12 +20,33 @@
 
 namespace POTDEM {
 
+// what particles see, as numbers: the same for the same surroundings, whatever the rounding, the order of bonds and the rank
+class Surroundings {
+ public:
+  std::vector<std::uint64_t> prints;    // of the bonds, from each end
+  std::vector<std::uint64_t> seen;      // by each particle
+
+  // lists neighbours already; lives on. Collective
+  explicit Surroundings(const BondedBody &);
+  void look(int bonds);    // as far as so many bonds reach, at least as far as before. Collective
+
+ private:
+  const BondedBody &body;
+  int looked;
+  struct {
+    double length, diameter, volume;
+  } unit;    // the same on all ranks
+
+  void find_units();
+  std::uint64_t fingerprint(const BondedBody::Neighbour &) const;
+};
+
 class Kinds : private BodyHalo {
  public:
   BondedBody body;    // owns one particle of each kind
 
-  // its neighbours are listed; it lives on. Collective
-  Kinds(const BondedBody &, int bonds);
+  // of the body as it is seen now; body and bonds' fingerprints live on. Collective
+  Kinds(const BondedBody &, const Surroundings &);
   // to the same body. Collective
   void give_volumes(BondedBody &) const;
   void give_areas(BondedBody &) const;
@@ -42,12 +63,9 @@ class Kinds : private BodyHalo {
 
  private:
   const BondedBody &whole;
-  struct {
-    double length, diameter, volume;
-  } unit;                               // the same on all ranks
+  const std::vector<std::uint64_t> &prints;
   std::vector<int> kind;                // of each owned particle of the whole
   std::vector<int> first;               // of each kind; then whom the copies are of
-  std::vector<std::uint64_t> prints;    // of the whole's bonds, from each end
   std::vector<int> reduced;             // bond of the reduced body, of each bond; -1: none
   std::vector<int> shared;              // kinds that other ranks may have copies of
   std::unique_ptr<double[]> scratch;    // of all particles of the whole; few of them are touched
@@ -55,10 +73,7 @@ class Kinds : private BodyHalo {
   void forward(double *, int width) override;
   void sum(double *values, int n) override { whole.halo.sum(values, n); }
 
-  std::vector<std::uint64_t> surroundings(int bonds);
-  void find_units();
-  std::uint64_t fingerprint(const BondedBody::Neighbour &) const;
-  void list_kinds(const std::vector<std::uint64_t> &surroundings);
+  void list_kinds(const std::vector<std::uint64_t> &seen);
   void reduce();
   int solved_bond(int i, const BondedBody::Neighbour &) const;
 };
