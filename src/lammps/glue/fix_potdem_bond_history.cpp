@@ -398,7 +398,7 @@ void FixPotdemBondHistory::restart(char *buf)
 
 void FixPotdemBondHistory::allow_exchange(int width)
 {
-  comm_forward = comm_reverse = width;
+  comm_forward = width;
 }
 
 void FixPotdemBondHistory::forward(double *data, int width)
@@ -406,13 +406,6 @@ void FixPotdemBondHistory::forward(double *data, int width)
   exchanged = data;
   exchanged_width = width;
   comm->forward_comm(this, width);
-}
-
-void FixPotdemBondHistory::reverse(double *data, int width)
-{
-  exchanged = data;
-  exchanged_width = width;
-  comm->reverse_comm(this, width);
 }
 
 int FixPotdemBondHistory::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/,
@@ -428,18 +421,4 @@ void FixPotdemBondHistory::unpack_forward_comm(int n, int first, double *buf)
 {
   const int w = exchanged_width;
   std::copy_n(buf, n * w, exchanged + w * static_cast<bigint>(first));
-}
-
-int FixPotdemBondHistory::pack_reverse_comm(int n, int first, double *buf)
-{
-  const int w = exchanged_width;
-  std::copy_n(exchanged + w * static_cast<bigint>(first), n * w, buf);
-  return n * w;
-}
-
-void FixPotdemBondHistory::unpack_reverse_comm(int n, int *list, double *buf)
-{
-  const int w = exchanged_width;
-  for (int k = 0; k < n; k++)
-    for (int c = 0; c < w; c++) exchanged[w * static_cast<bigint>(list[k]) + c] += buf[w * k + c];
 }

@@ -70,14 +70,11 @@ class FixPotdemBondHistory : public FixBondHistory {
   // pairs that a crack cuts, until the pair styles have taken them
   std::vector<PotdemNewContact> new_contacts;
 
-  // per-particle values, `width` of them: from the owners to all copies, and summed up by the owners
+  // per-particle values, `width` of them, from the owners to all copies
   void allow_exchange(int width);    // before Comm::init
   void forward(double *values, int width);
-  void reverse(double *values, int width);
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
-  int pack_reverse_comm(int, int, double *) override;
-  void unpack_reverse_comm(int, int *, double *) override;
 
   int generation;    // counts rebuilds of the bond list, so that its readers know theirs is old
   // the communication cutoff that bonds need, if the user has not set one; < 0: none
