@@ -1,8 +1,8 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""For users of clusters: what ranks send each other, counted here; from that weak scaling on paper; balance where grains are not everywhere;
-threads and ranks. Ranks may be more than cores where they are only counted."""
+"""For users of clusters: what ranks send each other, counted here; from that weak scaling on paper; balance where grains are not
+everywhere; threads and ranks. Ranks may be more than cores where they are only counted."""
 
 import math
 import re
@@ -134,7 +134,8 @@ def table_of_balance(short):
             load, seconds = balanced(scene, way, settings[short], 2)
             rows.append((scene, name, f"{load:.2f}", f"{seconds:.2f}", f"{balanced(scene, way, settings[short], 4)[0]:.2f}"))
             print(f"balance: {scene}, {name} done", file=sys.stderr, flush=True)
-    return writing.table(("scene", "how", "most particles of a rank over the mean, 2 ranks", "loop on 2 ranks, s", "over the mean, 4 ranks"), rows)
+    return writing.table(("scene", "how", "most particles of a rank over the mean, 2 ranks", "loop on 2 ranks, s",
+                          "over the mean, 4 ranks"), rows)
 
 
 # --- threads and ranks ------------------------------------------------------------------------------------------------

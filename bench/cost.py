@@ -142,8 +142,8 @@ PAGE = """# What each feature costs
 
 Made by `bench/run --page`. {size} particles of [in.cost](../../bench/in.cost), {steps} steps on one core, all cases in turn; median
 (least to most) of {repeats} rounds. Costs of bonds and contacts are those of LAMMPS's Bond and Pair sections, what a feature adds is
-the difference of two loops, and the cost of walls that of the Modify section without the integration. That a feature which a script does not
-use runs no code and communicates nothing is what `unittest/python/test_left_out.py` shows.
+the difference of two loops, and the cost of walls that of the Modify section without the integration. That a feature which a script does
+not use runs no code and communicates nothing is what `unittest/python/test_left_out.py` shows.
 
 {machine}
 

@@ -66,12 +66,12 @@ class Work:
 BOND = dict(added=21, divided=2, own=22, particle=80)
 DAMPED = dict(added=33, divided=2, own=30, particle=104)
 PENETRATED = dict(added=31, divided=4, own=22, particle=80)
-# pair_potdem_loop.h, contact.h, hertz.h: difference of places 3, square 5, reach 3, overlap and force 8, push 4, sums 6; roots of r2 and R w,
-# divisions by r and ri + rj. Entry of the list 4; place, radius, type, force, list of the particle 24 + 8 + 4 + 48 + 12
+# pair_potdem_loop.h, contact.h, hertz.h: difference of places 3, square 5, reach 3, overlap and force 8, push 4, sums 6; roots of r2 and
+# R w, divisions by r and ri + rj. Entry of the list 4; place, radius, type, force, list of the particle 24 + 8 + 4 + 48 + 12
 HERTZ = dict(added=29, divided=4, own=4, particle=96)
-# with memory and rotation: gathering 19, spins 20, sliding 35, old spring turned 43, new one and limit 26, Hertz, masses and weights 18, force and
-# torque 19, sums 18; four divisions and four roots. List 4, flag 4, five numbers read and four written 72; place, velocities, radius, mass,
-# type, force, torque, lists of the particle 24 + 48 + 8 + 8 + 4 + 96 + 28
+# with memory and rotation: gathering 19, spins 20, sliding 35, old spring turned 43, new one and limit 26, Hertz, masses and weights 18,
+# force and torque 19, sums 18; four divisions and four roots. List 4, flag 4, five numbers read and four written 72; place, velocities,
+# radius, mass, type, force, torque, lists of the particle 24 + 48 + 8 + 8 + 4 + 96 + 28
 REMEMBERING = dict(added=198, divided=8, own=80, particle=216, width=8)
 
 
@@ -212,8 +212,8 @@ def draw(path, listed, times, machine, sizes):
         axis.set_major_locator(FixedLocator(ticks))
         axis.set_major_formatter("{x:g}")
         axis.set_minor_locator(NullLocator())
-    axes.legend(loc="lower right", fontsize=9, frameon=False, title=f"open: {grouped(sizes[0] ** 3)} particles, filled: {grouped(sizes[1] ** 3)}",
-                title_fontsize=9)
+    axes.legend(loc="lower right", fontsize=9, frameon=False, title_fontsize=9,
+                title=f"open: {grouped(sizes[0] ** 3)} particles, filled: {grouped(sizes[1] ** 3)}")
     figure.draw_without_rendering()
     draw_roofs(axes, machine, left, right)
     figure.savefig(path, dpi=110)

@@ -250,9 +250,10 @@ def report(listed, found):
 
 PAGE = """# What was to be reached
 
-Made by `bench/run --targets --page`, in {repeats} rounds in which all runs were made in turn. Medians, and where there are three numbers
-the median and the least to the most of the rounds. A *ratio* is that of the two numbers before it, of each round. Solids have bonds up to two
-diameters, about 16 to a particle. [Performance](../performance.md) says what stands behind each line and why some are missed.
+Made by `bench/run --targets --page`, in {repeats} rounds in which all runs were made in turn. Medians, and where there are three
+numbers the median and the least to the most of the rounds. A *ratio* is that of the two numbers before it, of each round. Solids have
+bonds up to two diameters, about 16 to a particle. [Performance](../performance.md) says what stands behind each line and why some are
+missed.
 
 {machine}
 

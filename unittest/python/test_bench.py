@@ -155,7 +155,7 @@ def test_what_a_solid_sends(lmp, newton, messages, numbers):
 
 
 def test_balance_of_a_scene(lmp):
-    load, _ = cluster.balanced("column-drop", cluster.WAYS["`comm_style brick`, as it is"], cluster.SCENES["column-drop"][1], 2)
-    even, _ = cluster.balanced("column-drop", cluster.WAYS["`comm_style tiled`, `fix balance 100 1.05 rcb`"], cluster.SCENES["column-drop"][1], 2)
+    as_it_is, *_, tiled = cluster.WAYS.values()
+    load, even = (cluster.balanced("column-drop", way, cluster.SCENES["column-drop"][1], 2)[0] for way in (as_it_is, tiled))
     assert load == pytest.approx(2.0, abs=0.1)    # the column stands in one half of the box
     assert even == pytest.approx(1.0, abs=0.1)
