@@ -97,7 +97,10 @@ void PotdemWallSurface::follow()
   for (const auto &part : parts) part.region->prematch();
   // at the set-up of a further run the step has been taken already: the velocities are still there
   if (step == update->ntimestep) return;
-  moving = step >= 0 && step == update->ntimestep - 1;
+  moving = step >= 0 && step == update->ntimestep - 1 &&
+      std::any_of(parts.begin(), parts.end(), [](const Part &part) {
+             return part.region->dynamic_check();
+           });
   step = update->ntimestep;
   for (auto &part : parts) {
     if (!part.region->dynamic_check()) continue;

@@ -95,7 +95,7 @@ class PotdemWallSurface : protected Pointers {
   std::vector<Face> found;
   std::vector<Plane> planes;
   bigint step;    // of the latest call of follow
-  bool moving;    // there are two steps to take a difference of
+  bool moving;    // and there are two steps to take a difference of
 
   bool is_free_of_parts(const double *x) const;
   bool learn(const Region::Contact &, const double *x, double reach);
