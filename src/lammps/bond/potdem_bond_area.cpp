@@ -5,9 +5,9 @@
 
 #include "lammps/bond/potdem_bond_area.h"
 
+#include "core/laws/truss.h"
 #include "lammps/bond/potdem_body_area.h"
 #include "lammps/bond/potdem_lattice_area.h"
-#include "core/laws/truss.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/potdem_material_input.h"
 
