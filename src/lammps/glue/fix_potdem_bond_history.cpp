@@ -146,9 +146,7 @@ void FixPotdemBondHistory::setup_pre_neighbor()
 
 void FixPotdemBondHistory::pre_neighbor()
 {
-  const bool alone =
-      comm->nprocs == 1 && !domain->xperiodic && !domain->yperiodic && !domain->zperiodic;
-  if (alone || !follows_bonds()) return;
+  if ((comm->nprocs == 1 && !is_periodic()) || !follows_bonds()) return;
   // a far end that is not here has an unknown distance: once more, with the widest reach first
   for (double most = HUGE_VAL; most == HUGE_VAL;) {
     const double now = MAX(ghost_cutoff, neighbor->cutneighmax);
@@ -177,17 +175,21 @@ bool FixPotdemBondHistory::follows_bonds() const
   return comm->cutghostuser == ghost_cutoff;
 }
 
-// infinite if the far end of a bond is not here. What lies beyond a periodic boundary is a ghost, too
+bool FixPotdemBondHistory::is_periodic() const
+{
+  return domain->xperiodic || domain->yperiodic || domain->zperiodic;
+}
+
+// of those to ghosts; infinite if the far end of a bond is not here. What lies beyond a periodic boundary is a ghost, too
 double FixPotdemBondHistory::longest_now() const
 {
+  const bool periodic = is_periodic();
   double most2 = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) {
       const int j = atom->map(atom->bond_atom[i][m]);
-      if (j < 0) {
-        most2 = HUGE_VAL;
-        continue;
-      }
+      if (j < 0) most2 = HUGE_VAL;
+      if (j < 0 || (j < atom->nlocal && !periodic)) continue;
       double del[3];
       MathExtra::sub3(atom->x[j], atom->x[i], del);
       PotdemCompat::minimum_image(domain, del);

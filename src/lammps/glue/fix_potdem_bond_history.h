@@ -90,6 +90,7 @@ class FixPotdemBondHistory : public FixBondHistory {
   double **values() const;
   bool intact() const;
   double longest_new_bond() const;
+  bool is_periodic() const;
   double longest_now() const;
   void acquire_ghosts();
 };
