@@ -212,32 +212,22 @@ void FixPotdemContacts::write_restart(FILE *fp)
 
 /* ---------------------------------------------------------------------- */
 
-// on a rank that owns one of the two or both, when the pair is in the list, if it comes there at all before the next rebuild
+// on a rank that owns one of the two or both, when the pair is in the list, if it comes there at all before the next rebuild.
+// The next list may have it in the row of the other particle
 void FixPotdemContacts::expect(const std::vector<PotdemNewContact> &contacts)
 {
   if (!ipage_atom) allocate_pages();
   for (const auto &contact : contacts) {
-    bool listed = false;
-    for_owned(contact, [&](int i, tagint tag) {
+    const tagint tags[2] = {contact.first, contact.second};
+    for (int end = 0; end < 2; end++) {
+      const int i = atom->map(tags[end]);
+      const tagint other = tags[1 - end];
+      if (i < 0 || i >= atom->nlocal) continue;
       if (stored)
-        set_partner(i, tag, contact.distance);
-      else if (set_listed(i, tag, contact.distance))
-        listed = true;
-    });
-    if (stored) continue;
-    for_owned(contact, [&](int i, tagint tag) {
-      keep_aside(i, tag, listed ? 0.0 : contact.distance);
-    });
-  }
-}
-
-template <class Act>
-void FixPotdemContacts::for_owned(const PotdemNewContact &contact, Act act) const
-{
-  const tagint tags[2] = {contact.first, contact.second};
-  for (int end = 0; end < 2; end++) {
-    const int i = atom->map(tags[end]);
-    if (i >= 0 && i < atom->nlocal) act(i, tags[1 - end]);
+        set_partner(i, other, contact.distance);
+      else
+        keep_aside(i, other, set_listed(i, other, contact.distance) ? 0.0 : contact.distance);
+    }
   }
 }
 

@@ -105,8 +105,6 @@ class FixPotdemContacts : public FixNeighHistory {
   void add_kept(const std::vector<Kept> &);
   bool pages_will_change() const;
   void give_to_particles();
-  // of its two particles, with the other's ID
-  template <class Act> void for_owned(const PotdemNewContact &, Act) const;
   bool set_listed(int i, tagint, double distance);
   void keep_aside(int i, tagint, double distance);
   void set_aside();
