@@ -143,6 +143,21 @@ def test_the_contact_begins_where_the_bond_ended(run_lammps, nprocs, newton):
 
 
 @pytest.mark.parametrize("nprocs", [1, 2])
+@pytest.mark.parametrize("newton", ["on", "off"])
+@pytest.mark.parametrize("first, second, side", [(9.6, lambda r: r - 10.4, 1), (-9.5, lambda r: 10.5 - r, -1)])
+def test_the_contact_across_a_periodic_border(run_lammps, first, second, side, newton, nprocs):
+    """whichever of the two has the pair in its row of the list, before and after the list is built anew"""
+    script = scripts.box(20, boundary="p p p", newton=f"{newton} off") + scripts.particles(
+        [(first, 0, 0, 1.0), (second(0.9), 0, 0, 1.0)]) + "set group all mass 1\n" + PAIR_LINES
+    script += "potdem_bonds all 1 0.95\n" + SETTINGS + f"set atom 2 x {second(0.85)}\nrun 3\n"
+    places = (0.8, 0.9, 0.8)
+    found = scripts.results(run_lammps(script + path(*map(second, places)), nprocs=nprocs).stdout)
+    for (energy, push), r in zip(found, places):
+        assert energy == pytest.approx(contact_energy(r, 0.85), rel=1e-9, abs=1e-15), r
+        assert side * push == pytest.approx(contact_push(r, 0.85), rel=1e-9, abs=1e-13), r
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
 def test_a_pair_that_is_bonded_and_fails_again_begins_anew(run_lammps, nprocs):
     """first at 0.85, then at 0.9, then out of touch: the contact begins where the last bond ended, or at the diameter"""
     strong = replaced(SETTINGS, "compression 50", "tension 60 compression 50")
