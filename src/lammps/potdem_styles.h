@@ -28,6 +28,7 @@ FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(potdem/wall/region/omp,FixPotdemOMP<FixPotdemWallRegion>);
 FixStyle(POTDEM_BOND_HISTORY,FixPotdemBondHistory);
+FixStyle(POTDEM_BOND_HISTORY/AREAS,FixPotdemBondValues);
 FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
 FixStyle(POTDEM_LEDGER,FixPotdemLedger);
 FixStyle(POTDEM_REFERENCE,FixPotdemReference);

@@ -374,7 +374,8 @@ def test_the_ledger_is_taken_away(run_lammps):
 
 # as docs/internal_fixes.md has it
 TAKEN_AWAY = {
-    "POTDEM_BONDS": True, "POTDEM_BONDS_FIX_PROP_ATOM": True, "POTDEM_CONTACTS_1": True, "strain_REFERENCE": True,
+    "POTDEM_BONDS": True, "POTDEM_BONDS_FIX_PROP_ATOM": True, "POTDEM_BONDS_AREAS": True,
+    "POTDEM_BONDS_AREAS_FIX_PROP_ATOM": True, "POTDEM_CONTACTS_1": True, "strain_REFERENCE": True,
     "pace_CRITICAL": True, "POTDEM_MONITOR": False, "POTDEM_REFRESH": False
 }
 

@@ -18,9 +18,9 @@ def grains(pair="potdem/hertz", coeff="1000 0.3", more=""):
         region="heap", diameter=1.01) + f"pair_style {pair}\npair_coeff * * {coeff}\nfix move all nve\n{more}\n"
 
 
-def body(bond="", pair="", more=""):
+def body(bond="", pair="", more="", area="factor 0.5"):
     return scripts.box(12) + "region body block -2 2 -2 2 -2 2\n" + scripts.crystal(region="body") + scripts.elastic(
-        bond=bond, pair_options=pair) + f"potdem_bonds all 1 2.0\nfix move all nve\n{more}\n"
+        area=area, bond=bond, pair_options=pair) + f"potdem_bonds all 1 2.0\nfix move all nve\n{more}\n"
 
 
 def ghost_velocities(run):
@@ -58,6 +58,8 @@ def test_internal_fixes_only_where_they_are_used(run_lammps):
     assert fixes(run_lammps(grains() + INFO)) == {"nve", "POTDEM_MONITOR", "POTDEM_REFRESH", "DUMMY"}
     bonded = fixes(run_lammps(body() + INFO))
     assert "POTDEM_BOND_HISTORY" in bonded and "POTDEM_CONTACTS" in bonded and "POTDEM_LEDGER" not in bonded
+    assert "POTDEM_BOND_HISTORY/AREAS" not in bonded
+    assert "POTDEM_BOND_HISTORY/AREAS" in fixes(run_lammps(body(area="lattice") + INFO))
     assert "POTDEM_LEDGER" in fixes(run_lammps(grains(more="compute ledger all potdem/energy") + INFO))
 
 

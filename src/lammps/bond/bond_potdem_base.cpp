@@ -103,6 +103,8 @@ void BondPotdemBase::init_style()
   check_settings();
   history = FixPotdemBondHistory::ensure(lmp, style);
   lost = false;
+  for (int type = 1; type <= atom->nbondtypes; type++)
+    if (owns(type)) beside[type].area.prepare(history);
   announce_contacts();
   ledger = FixPotdemLedger::find(lmp);
   monitor = FixPotdemMonitor::ensure(lmp);
@@ -110,8 +112,6 @@ void BondPotdemBase::init_style()
   new_bonds = true;
 
   reinit();
-  for (int type = 1; type <= atom->nbondtypes; type++)
-    if (owns(type)) beside[type].area.allow_exchange(history);
   set_communication();
 }
 

@@ -49,8 +49,9 @@ std::string PotdemBondArea::text() const
   return value > 0.0 ? fmt::format("area body density {:.17g}", value) : "area body";
 }
 
-void PotdemBondArea::allow_exchange(FixPotdemBondHistory *history) const
+void PotdemBondArea::prepare(FixPotdemBondHistory *history) const
 {
+  if (mode != FACTOR) history->keep_areas();
   if (mode == BODY) history->allow_exchange(POTDEM::BodyHalo::WIDEST);
 }
 

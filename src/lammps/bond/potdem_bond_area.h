@@ -19,7 +19,7 @@ class PotdemBondArea {
  public:
   static PotdemBondArea read(class PotdemMaterialInput &, int dimension);
   std::string text() const;                             // as bond_coeff takes it
-  void allow_exchange(FixPotdemBondHistory *) const;    // what it will need, before Comm::init
+  void prepare(FixPotdemBondHistory *) const;    // what it will need of it, before Comm::init
 
   // style: for messages and errors, e.g. "bond_style potdem/truss"
   void find(class LAMMPS *, FixPotdemBondHistory *, const std::string &style, int type) const;

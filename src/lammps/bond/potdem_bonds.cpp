@@ -326,6 +326,7 @@ void PotdemBonds::make_room(const NeighList *list)
 void PotdemBonds::grow_bonds_per_atom(int nbond)
 {
   auto store = FixPotdemBondHistory::find(lmp);
+  if (store) FixPotdemBondHistory::get(lmp, "potdem_bonds");
   struct OldBond {
     int i, type;
     tagint partner;
@@ -337,6 +338,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
       old.push_back({i, atom->bond_type[i][m], atom->bond_atom[i][m],
                      store ? store->length(i, m) : 0.0, store ? store->area(i, m) : 0.0});
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
+  const bool keeps_areas = store && store->keeps_areas();
   const auto known = store ? store->new_contacts : std::vector<PotdemNewContact>();
   if (store) modify->delete_fix(store->id);
 
@@ -344,6 +346,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
   atom->avec->grow(atom->nmax);
 
   store = FixPotdemBondHistory::create(lmp);
+  if (keeps_areas) store->keep_areas();
   store->ghost_cutoff = ghost_cutoff;
   store->new_contacts = known;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
@@ -351,7 +354,8 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     const int i = bond.i, m = atom->num_bond[i]++;
     atom->bond_type[i][m] = bond.type;
     atom->bond_atom[i][m] = bond.partner;
-    store->store(i, m, bond.length, bond.area);
+    store->store(i, m, bond.length);
+    if (keeps_areas) store->store_area(i, m, bond.area);
   }
 }
 

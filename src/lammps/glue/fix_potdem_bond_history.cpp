@@ -27,11 +27,11 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-static constexpr char STORE_ID[] = "POTDEM_BONDS";
+static constexpr char STORE_ID[] = "POTDEM_BONDS", AREAS_ID[] = "POTDEM_BONDS_AREAS";
 // of the longest bond, so that not each rebuild begins twice; and what is less than this of the reach there is counts as
 // shorter
 static constexpr double SPARE_REACH = 1.05, LEAST_CHANGE = 0.9;
-static constexpr double RESTART_VERSION = 4.0;    // of what the fix itself writes
+static constexpr double RESTART_VERSION = 5.0;    // of what the fix itself writes
 
 /* ---------------------------------------------------------------------- */
 
@@ -62,35 +62,43 @@ FixPotdemBondHistory *FixPotdemBondHistory::ensure(LAMMPS *lmp, const std::strin
 FixPotdemBondHistory *FixPotdemBondHistory::get(LAMMPS *lmp, const std::string &who)
 {
   auto *const store = find(lmp);
-  if (!store || !store->intact())
+  const std::string gone = store ? store->gone() : STORE_ID;
+  if (!gone.empty())
     lmp->error->all(
         FLERR,
-        "{}: fix {}, in which the bonds remember their reference lengths, was removed with "
+        "{}: fix {}, in which the bonds remember their reference lengths and areas, was removed with "
         "unfix: leave it, or begin anew with the undeformed body",
-        who, store ? store->id_fix : STORE_ID);
+        who, gone);
   return store;
 }
 
 // the values themselves are kept by a fix property/atom
-bool FixPotdemBondHistory::intact() const
+std::string FixPotdemBondValues::gone() const
 {
   int is_double, columns;
-  return atom->find_custom(&id_array[3], is_double, columns) == index;
+  return atom->find_custom(&id_array[3], is_double, columns) == index ? "" : id_fix;
+}
+
+std::string FixPotdemBondHistory::gone() const
+{
+  const std::string mine = FixPotdemBondValues::gone();
+  if (!mine.empty() || !areas) return mine;
+  return modify->get_fix_by_id(AREAS_ID) == areas ? areas->gone() : AREAS_ID;
 }
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
-    FixBondHistory(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0), widest(0.0),
-    all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
+    FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0), widest(0.0),
+    areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
 {
   setflag = all_types.data();
 }
 
-// not when LAMMPS ends
 FixPotdemBondHistory::~FixPotdemBondHistory()
 {
-  if (!force) return;
+  if (modify->get_fix_by_id(AREAS_ID)) modify->delete_fix(AREAS_ID);
+  if (!force) return;    // LAMMPS ends
   for (auto *const bond : potdem_find<BondMemory>(lmp)) bond->lose_memory();
 }
 
@@ -233,16 +241,19 @@ double **FixPotdemBondHistory::values() const
   return atom->darray[index];
 }
 
-void FixPotdemBondHistory::store(int i, int m, double length, double area)
+void FixPotdemBondHistory::store(int i, int m, double length)
 {
   update_atom_value(i, m, LENGTH, length);
-  update_atom_value(i, m, AREA, area);
   std::fill_n(state(i, m), NSTATE, 0.0);
+  if (areas) store_area(i, m, 0.0);
 }
 
-void FixPotdemBondHistory::store_area(int i, int m, double area)
+// before any bond of a type whose areas are found is computed
+void FixPotdemBondHistory::keep_areas()
 {
-  update_atom_value(i, m, AREA, area);
+  if (areas) return;
+  areas = dynamic_cast<FixPotdemBondValues *>(
+      modify->add_fix(fmt::format("{} all POTDEM_BOND_HISTORY/AREAS 0 1", AREAS_ID)));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -3,9 +3,9 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* What a bond remembers: its reference length, its area and what its law keeps of it, in LAMMPS's own FixBondHistory
-   (which carries them through exchange, sorting and restart). A bond that fails is gone, from here and from LAMMPS's
-   lists. Created by potdem_bonds or a bond style, one per simulation. */
+/* What a bond remembers: its reference length and what its law keeps of it, in LAMMPS's own FixBondHistory (which carries
+   them through exchange, sorting and restart); its area in another one, only where areas are found. A bond that fails is
+   gone, from here and from LAMMPS's lists. Created by potdem_bonds or a bond style, one per simulation. */
 
 #ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
 #define LMP_FIX_POTDEM_BOND_HISTORY_H
@@ -21,13 +21,18 @@
 
 namespace LAMMPS_NS {
 
-class FixPotdemBondHistory : public FixBondHistory {
+// values of each bond that nobody needs in the order of LAMMPS's list
+class FixPotdemBondValues : public FixBondHistory {
  public:
-  // columns. LENGTH: reference length; 0: not measured yet.
-  // AREA: the section that was found for it once, by area body (> 0) or by area lattice (< 0, its negative);
-  // 0: none yet. It stays, whatever becomes of the body and whatever bond_coeff says again.
-  // STATE: the first of those that laws keep, all 0 at first
-  enum { LENGTH, AREA, STATE };
+  FixPotdemBondValues(LAMMPS *lmp, int narg, char **arg) : FixBondHistory(lmp, narg, arg) {}
+  int setmask() override { return 0; }
+  virtual std::string gone() const;    // ID of a fix that it needs and that was taken away
+};
+
+class FixPotdemBondHistory : public FixPotdemBondValues {
+ public:
+  // columns. LENGTH: reference length; 0: not measured yet. STATE: the first of those that laws keep, all 0 at first
+  enum { LENGTH, STATE };
   static constexpr int NSTATE = POTDEM::most_bond_state(), NDATA = STATE + NSTATE;
 
   static FixPotdemBondHistory *find(LAMMPS *);
@@ -52,10 +57,16 @@ class FixPotdemBondHistory : public FixBondHistory {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  void store(int i, int slot, double length, double area = 0.0);
-  void store_area(int i, int slot, double area);
+  std::string gone() const override;
+
+  // area: the section that was found for a bond once, by area body (> 0) or by area lattice (< 0, its negative); 0: none
+  // yet. It stays, whatever becomes of the body and whatever bond_coeff says again
+  void keep_areas();
+  bool keeps_areas() const { return areas; }
+  void store(int i, int slot, double length);
+  void store_area(int i, int slot, double area) { areas->update_atom_value(i, slot, 0, area); }
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
-  double area(int i, int slot) const { return values()[i][slot * NDATA + AREA]; }
+  double area(int i, int slot) const { return areas ? areas->get_atom_value(i, slot, 0) : 0.0; }
   double *state(int i, int slot) const { return &values()[i][slot * NDATA + STATE]; }
 
   bool is_new(int i, int slot) const;    // a live bond without a reference length
@@ -83,12 +94,12 @@ class FixPotdemBondHistory : public FixBondHistory {
   void reach_at_most(double cutoff);
 
  private:
+  FixPotdemBondValues *areas;    // null where none are found
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
   double *exchanged;
   int exchanged_width;
 
   double **values() const;
-  bool intact() const;
   double longest_new_bond() const;
   bool is_periodic() const;
   double longest_now() const;
