@@ -27,7 +27,7 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 
 # LAMMPS writes style_pair.h etc. from these lists; ours go in before it reads them
 set(POTDEM_STYLES_HEADER ${PROJECT_SOURCE_DIR}/src/lammps/potdem_styles.h)
-foreach(kind PAIR BOND FIX COMPUTE COMMAND)
+foreach(kind PAIR BOND FIX COMPUTE COMMAND REGION)
   set_property(GLOBAL APPEND PROPERTY ${kind} ${POTDEM_STYLES_HEADER})
 endforeach()
 

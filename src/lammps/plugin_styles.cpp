@@ -14,6 +14,7 @@
 #include "compute.h"
 #include "fix.h"
 #include "pair.h"
+#include "region.h"
 
 using namespace LAMMPS_NS;
 
@@ -80,6 +81,7 @@ potdem_register_styles(void *lmp, void *handle, void *regfunc)
 #define BondStyle(key, Class) registration.add("bond", #key, &create<Bond, Class>)
 #define CommandStyle(key, Class) registration.add("command", #key, &create<Command, Class>)
 #define FixStyle(key, Class) registration.add("fix", #key, &create_with_args<Fix, Class>)
+#define RegionStyle(key, Class) registration.add("region", #key, &create_with_args<Region, Class>)
 #define ComputeStyle(key, Class) \
   registration.add("compute", #key, &create_with_args<Compute, Class>)
 
@@ -98,4 +100,7 @@ potdem_register_styles(void *lmp, void *handle, void *regfunc)
 #define COMMAND_CLASS
 #include "lammps/potdem_styles.h"
 #undef COMMAND_CLASS
+#define REGION_CLASS
+#include "lammps/potdem_styles.h"
+#undef REGION_CLASS
 }

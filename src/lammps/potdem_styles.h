@@ -42,6 +42,8 @@ ComputeStyle(potdem/timestep,ComputePotdemTimestep);
 #elif defined(COMMAND_CLASS)
 CommandStyle(potdem_bonds,PotdemBonds);
 CommandStyle(potdem_material,PotdemMaterial);
+#elif defined(REGION_CLASS)
+RegionStyle(potdem/mesh,RegPotdemMesh);
 #else
 // clang-format on
 #ifndef LMP_POTDEM_STYLES_H
@@ -67,5 +69,6 @@ CommandStyle(potdem_material,PotdemMaterial);
 #include "lammps/pair/pair_potdem.h"
 #include "lammps/pair/pair_potdem_omp.h"
 #include "lammps/wall/fix_potdem_wall_region.h"
+#include "lammps/wall/region_potdem_mesh.h"
 #endif
 #endif

@@ -79,11 +79,12 @@ BELOW = {
     "core/stability": {"core/laws"},
     "core/contact": {"core/laws", "core/stability"},
     "core/areas": {"core/laws"},
+    "core/geometry": set(),
     "lammps/glue": {"core/laws", "core/stability"},
     "lammps/output": {"core/laws", "core/stability", "lammps/glue"},
     "lammps/pair": {"core/laws", "core/stability", "core/contact", "lammps/glue", "lammps/output"},
     "lammps/bond": {"core/laws", "core/stability", "core/areas", "lammps/glue", "lammps/output"},
-    "lammps/wall": {"core/laws", "core/stability", "core/contact", "lammps/glue", "lammps/output"},
+    "lammps/wall": {"core/laws", "core/stability", "core/contact", "core/geometry", "lammps/glue", "lammps/output"},
 }
 
 

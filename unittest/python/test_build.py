@@ -57,7 +57,7 @@ def fake_archive(folder, version):
 
 
 def test_styles_are_compiled_in(root, run_lammps):
-    help_text = run_lammps("info styles pair styles bond styles fix styles compute styles command\n").stdout
+    help_text = run_lammps("info styles pair styles bond styles fix styles compute styles command styles region\n").stdout
     public = [name for _, name in styles(root) if name.islower()]
     assert public and [name for name in public if name not in help_text.split()] == []
 

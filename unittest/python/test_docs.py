@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from potdem import scripts as inputs
+from potdem import stl
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -20,6 +21,7 @@ OUTPUT_SECTION = {
     "fix": "Restart, fix_modify, output, run start/stop, minimize info",
     "compute": "Output info",
     "command": "Output and restart info",
+    "region": "Restart and output info",
 }
 
 HEAD = """
@@ -286,9 +288,16 @@ def test_page_says_what_fix_adapt_can_change(name):
                 assert f"*{word}*" in said, word
 
 
+# what the examples read: around the beam and the block, beside and below them
+STL_FILES = {"hopper.stl": stl.box([-45, -45, -45], [95, 95, 95], 3), "blade.stl": stl.box([60, -10, 0], [70, 40, 5]),
+             "stone.stl": stl.sphere([0.02, 0.02, -0.03], 0.015, 6)}
+
+
 @pytest.mark.parametrize("kind, name, example", examples())
-def test_example_runs(run_lammps, kind, name, example):
+def test_example_runs(run_lammps, tmp_path, kind, name, example):
     assert name in example
+    for file in STL_FILES.keys() & example.split():
+        stl.write(tmp_path / file, STL_FILES[file])
     run = run_lammps(in_scaffold(kind, example))
     assert run.thermo["Step"][-1] == 20
 

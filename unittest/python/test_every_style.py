@@ -17,7 +17,7 @@ pytestmark = pytest.mark.every_style
 def test_styles_that_no_script_names(run_lammps, suffix):
     """the memory of bonds and of the strain, the ledger and the warnings, and bonds on threads"""
     script = suffix + scripts.box(20) + "region body block 0 3 0 3 0 3 units box\n" + \
-        scripts.crystal(region="body") + scripts.elastic() + """
+        scripts.crystal(region="body") + scripts.elastic(area="lattice") + """
 potdem_bonds all 1 1.42
 fix move all nve
 compute books all potdem/energy
@@ -31,7 +31,7 @@ run 2
 info fixes system
 """
     text = run_lammps(script).stdout
-    for name in ("POTDEM_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_BOND_HISTORY/AREAS", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
         assert name in text
 
 
@@ -40,6 +40,7 @@ NAMED = {
     "pair": r"(pair_style|pair|Atoms .*style =) {}[\s,]",
     "bond": r"(bond_style|Bonds .*style =) {}\s",
     "fix": r"(fix \S+ \S+|style =) {}[\s,]",
+    "region": r"region \S+ {}\s",
     "compute": r"compute \S+ \S+ {}\s",
     "command": r"(^|\n){}\s",
 }

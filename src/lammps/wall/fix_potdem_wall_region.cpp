@@ -399,11 +399,9 @@ void FixPotdemWallRegion::push(int i, const Wall &wall, const Rate &dashpot)
   if (!(atom->mask[i] & groupbit)) return;
   double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
   if (!domain->inside(x)) bring_back(x);
-  const bool free = surface.is_free(x);
-  const auto &faces = free ? surface.faces(x, wall.reach(atom->radius[i]))
-                           : behind(x, wall, atom->radius[i]);
-  if (!free && faces.empty()) passed(i, x);
-  push<SLIDE, MOVE>(i, faces, wall, dashpot, shares[0]);
+  const auto *faces = faces_at(x, wall, atom->radius[i], 0.0);
+  if (!faces) passed(i, x);
+  push<SLIDE, MOVE>(i, *faces, wall, dashpot, shares[0]);
 }
 
 // friction comes after the normal forces of all faces: it may have to balance them. MOVE: velocities matter
@@ -428,12 +426,16 @@ void FixPotdemWallRegion::push(int i, const std::vector<PotdemWallSurface::Face>
   if (SLIDE && (!touches.empty() || remembers(i))) (*rub)(i, share);
 }
 
-// the face that a centre has passed, if the law goes on there
+// those within reach and further; or the one that the centre has passed, if the law goes on there; null: it has left the region
 template <class Wall>
-const std::vector<PotdemWallSurface::Face> &FixPotdemWallRegion::behind(const double *x,
-                                                                        const Wall &wall, double ri)
+const std::vector<PotdemWallSurface::Face> *
+FixPotdemWallRegion::faces_at(const double *x, const Wall &wall, double ri, double further)
 {
-  return surface.face_before(x, std::fmax(0.0, -wall.kernel.hard_core(wall.geometry(ri))));
+  bool free;
+  const auto *faces = &surface.faces(x, wall.reach(ri) + further, free);
+  if (free) return faces;
+  faces = &surface.face_before(x, std::fmax(0.0, -wall.kernel.hard_core(wall.geometry(ri))));
+  return faces->empty() ? nullptr : faces;
 }
 
 void FixPotdemWallRegion::passed(int i, const double *x) const
@@ -614,7 +616,7 @@ void FixPotdemWallRegion::follow_faces(int i, ThreadShare &share)
 {
   share.keys.clear();
   for (const auto &touch : share.touches) share.keys.push_back(touch.key);
-  memory->follow(i, share.keys);
+  memory->follow(i, share.keys, surface);
 }
 
 // for what adds up the way of the surfaces. The particle's velocity is that between this step and the one before, and so must the
@@ -726,9 +728,9 @@ void FixPotdemWallRegion::add_stiffness_of(const Wall &wall, PotdemStiffness &su
     double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
     if (!domain->inside(x)) bring_back(x);
     const double reach = wall.reach(atom->radius[i]);
-    const auto &faces = surface.is_free(x) ? surface.faces(x, reach + further)
-                                           : behind(x, wall, atom->radius[i]);
-    for (const auto &face : faces) {
+    const auto *faces = faces_at(x, wall, atom->radius[i], further);
+    if (!faces) continue;
+    for (const auto &face : *faces) {
       const double r = ahead > 0.0 ? closest(i, face, ahead, wall) : face.r;
       if (r < reach && !(domain->dimension == 2 && out_of_plane(i, face)))
         sum.add_wall(i, spring(i, face, r, wall));

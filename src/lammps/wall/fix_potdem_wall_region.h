@@ -159,7 +159,8 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void push(int i, const std::vector<PotdemWallSurface::Face> &, const Wall &, const Rate &,
             ThreadShare &);
   template <class Wall>
-  const std::vector<PotdemWallSurface::Face> &behind(const double *x, const Wall &, double ri);
+  const std::vector<PotdemWallSurface::Face> *faces_at(const double *x, const Wall &, double ri,
+                                                       double further);
   [[noreturn]] void passed(int i, const double *x) const;
   template <bool MOVE, class Wall, class Rate>
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &,

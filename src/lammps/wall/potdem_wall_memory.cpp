@@ -48,29 +48,6 @@ double *PotdemWallMemory::find(int i, int key) const
   return nullptr;
 }
 
-void PotdemWallMemory::follow(int i, const std::vector<int> &keys)
-{
-  if (is_empty(i) || keeps_only(i, keys)) return;
-  double *left = nullptr;
-  for (int k = 0; k < faces; k++) {
-    double *const place = places_of(i) + k * width;
-    const int key = static_cast<int>(*place);
-    if (key == 0 || std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    if (left) *left = 0.0;
-    left = place;
-    number(i) -= 1.0;
-  }
-  if (!left) return;
-  const auto is_new = [this, i](int key) {
-    return !find(i, key);
-  };
-  const auto fresh = std::find_if(keys.begin(), keys.end(), is_new);
-  *left = 0.0;
-  if (fresh == keys.end()) return;
-  *left = *fresh;
-  number(i) += 1.0;
-}
-
 // as from one step to the next, mostly
 bool PotdemWallMemory::keeps_only(int i, const std::vector<int> &keys) const
 {

@@ -14,6 +14,7 @@
 #include "fix_store_atom.h"
 #include "pointers.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,10 @@ class PotdemWallMemory : protected Pointers {
   ~PotdemWallMemory() override;
   void init();    // error if the fix that keeps it was removed
 
-  // the faces that particle i touches now: others are forgotten, but for one that it has left for a new one, as where it rolls over a seam
-  void follow(int i, const std::vector<int> &keys);
+  // The faces that particle i touches now: others are forgotten, but for those that it has left for new ones. surface.is_beside(left,
+  // fresh): of two triangles, whether the way from one to the other is around an edge; a face of another kind is left for any, as where
+  // a particle rolls over a seam, and one at a time
+  template <class Surface> void follow(int i, const std::vector<int> &keys, const Surface &);
   bool is_empty(int i) const { return number(i) == 0.0; }
   double *of_face(int i, int key);    // its numbers, zeros if it has just been touched
   template <class Action> void for_each(int i, const Action &act) const    // what it remembers
@@ -46,7 +49,46 @@ class PotdemWallMemory : protected Pointers {
   double *places_of(int i) const { return store->astore[i] + 1; }
   bool keeps_only(int i, const std::vector<int> &keys) const;
   double *find(int i, int key) const;    // its place; of 0: a free one; null: none
+  void forget(int i, double *place)
+  {
+    *place = 0.0;
+    number(i) -= 1.0;
+  }
 };
+
+template <class Surface>
+void PotdemWallMemory::follow(int i, const std::vector<int> &keys, const Surface &surface)
+{
+  if (is_empty(i) || keeps_only(i, keys)) return;
+  double *left = nullptr;
+  const auto fresh = [this, i, &keys](const auto &fits) {
+    return std::find_if(keys.begin(), keys.end(), [&](int key) {
+      return !find(i, key) && fits(key);
+    });
+  };
+  for (int k = 0; k < faces; k++) {
+    double *const place = places_of(i) + k * width;
+    const int key = static_cast<int>(*place);
+    if (key == 0 || std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    const auto next = fresh([&](int other) {
+      return surface.is_beside(key, other);
+    });
+    if (next != keys.end()) {
+      *place = *next;
+    } else {
+      if (left) forget(i, left);
+      left = place;
+    }
+  }
+  if (!left) return;
+  const auto any = fresh([](int) {
+    return true;
+  });
+  if (any == keys.end())
+    forget(i, left);
+  else
+    *left = *any;
+}
 
 }    // namespace LAMMPS_NS
 

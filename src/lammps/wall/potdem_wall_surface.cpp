@@ -5,6 +5,8 @@
 
 #include "lammps/wall/potdem_wall_surface.h"
 
+#include "lammps/wall/region_potdem_mesh.h"
+
 #include "domain.h"
 #include "math_extra.h"
 #include "update.h"
@@ -19,7 +21,7 @@ using namespace LAMMPS_NS;
 static constexpr double ELLIPSOID_SEARCH = 2.0;
 // over the reach: parts closer than this are flush
 static constexpr double FLUSH = 1e-6;
-// of one part, in the keys of faces
+// of one that has only flat ones: a bit for each
 static constexpr int MOST_FACES = 64;
 // over the reach: how far beyond a seam a surface must rise to count as a new one
 static constexpr double BEYOND = 1e-3;
@@ -77,7 +79,12 @@ void PotdemWallSurface::init(Region *wall)
   std::vector<Part> now;
   for_each_part(region, [&now](Region *part) {
     const bool ellipsoid = utils::strmatch(part->style, "^ellipsoid");
-    now.push_back({part, ellipsoid ? ELLIPSOID_SEARCH : 1.0, 0.0, 0.0, {}});
+    now.push_back({part,
+                   dynamic_cast<RegPotdemMesh *>(part),
+                   ellipsoid ? ELLIPSOID_SEARCH : 1.0,
+                   0.0,
+                   0.0,
+                   {}});
   });
   const bool same = std::equal(now.begin(), now.end(), parts.begin(), parts.end(),
                                [](const Part &a, const Part &b) {
@@ -249,6 +256,13 @@ void PotdemWallSurface::spin(const Face &face, double *w) const
   for (int k = 0; k < 3; k++) w[k] = turns ? part.axis_scale * part.region->omega[k] : 0.0;
 }
 
+bool PotdemWallSurface::is_beside(int key, int other) const
+{
+  const int n = static_cast<int>(parts.size()), part = (key - 1) % n;
+  return parts[part].mesh && (other - 1) % n == part &&
+      parts[part].mesh->is_beside((key - 1) / n, (other - 1) / n);
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool PotdemWallSurface::is_free_of_parts(const double *x) const
@@ -314,7 +328,7 @@ void PotdemWallSurface::add_faces(int part, int n, const double *x, double reach
     const auto &contact = from->contact[k];
     if (contact.r >= reach) continue;
     const double del[3] = {contact.delx, contact.dely, contact.delz};
-    const int key = 1 + part * MOST_FACES + contact.iwall;
+    const int key = 1 + part + static_cast<int>(parts.size()) * contact.iwall;
     Face face{part, {}, {}, contact.r, from->varshape && contact.varflag, key};
     MathExtra::sub3(x, del, face.foot);
     for (int c = 0; contact.r > 0.0 && c < 3; c++) face.n[c] = del[c] / contact.r;

@@ -53,14 +53,18 @@ class PotdemWallSurface : protected Pointers {
   // as faces(), but any number of threads at once; false: the centre is behind one of these
   bool faces_of(Planes, const double *x, double reach, std::vector<Face> &) const;
 
-  // an empty list for most particles: quickly
-  const std::vector<Face> &faces(const double *x, double reach)
+  // free: may the centre be there? An empty list if not
+  const std::vector<Face> &faces(const double *x, double reach, bool &free)
   {
     found.clear();
-    if (region->reglist)
-      collect_all(x, reach);
-    else if (const int n = region->surface(x[0], x[1], x[2], parts[0].search * reach))
-      add_faces(0, n, x, reach, found);
+    if (region->reglist) {
+      free = is_free_of_parts(x);
+      if (free) collect_all(x, reach);
+      return found;
+    }
+    const int n = region->surface(x[0], x[1], x[2], parts[0].search * reach);
+    if (n) add_faces(0, n, x, reach, found);
+    free = n > 0 || is_free(x);    // LAMMPS finds contacts for free centres only
     return found;
   }
   // of a centre that is not free, within a depth: the nearest one, its distance negative; none where the region has parts
@@ -68,14 +72,17 @@ class PotdemWallSurface : protected Pointers {
   // of the place that is at the foot now, at a time from now
   void velocity(const Face &, double *u, double when = 0.0) const;
   void spin(const Face &, double *w) const;    // angular velocity
+  // of the faces with these keys: are they triangles, and the second a part of the first's surface or around an edge of less than 30 degrees?
+  bool is_beside(int key, int other) const;
 
  private:
   struct Part {
     Region *region;
-    double search;        // how far LAMMPS is to look for contacts, over the reach
-    double angle;         // of a rotation, at the latest step
-    double axis_scale;    // 1 over the length of its axis
-    double listed[4];     // displacement and angle when a list was begun
+    const class RegPotdemMesh *mesh;    // null: a region of another kind
+    double search;                      // how far LAMMPS is to look for contacts, over the reach
+    double angle;                       // of a rotation, at the latest step
+    double axis_scale;                  // 1 over the length of its axis
+    double listed[4];                   // displacement and angle when a list was begun
   };
 
   struct Plane {
