@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.collections import EllipseCollection  # noqa: E402
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # noqa: E402
 from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.ticker import MaxNLocator  # noqa: E402
@@ -60,7 +60,8 @@ SHELLS = [(1.00, 0.00, -0.35), (0.93, 0.03, -0.12), (0.80, 0.10, 0.0), (0.60, 0.
           (0.18, 0.34, 0.45)]
 LIGHT = np.array([-0.5, 0.75])
 PALETTE = Image.Quantize.LIBIMAGEQUANT if features.check("libimagequant") else Image.Quantize.MEDIANCUT
-SLANTED, FRONT = (-24.0, 16.0), (0.0, 0.0)    # degrees: turn about z, tilt
+SLANTED, FRONT, TOP = (-24.0, 16.0), (0.0, 0.0), (0.0, 90.0)    # degrees: turn about z, tilt
+SLABS = 32    # in depth, of what is painted from far to near
 
 
 # --- words ------------------------------------------------------------------------------------------------------------
@@ -130,7 +131,7 @@ def _shade(colours, white):
     return shaded
 
 
-def spheres(axes, points, radii, colours, turn=SLANTED[0], tilt=SLANTED[1]):
+def spheres(axes, points, radii, colours, turn=SLANTED[0], tilt=SLANTED[1], zorder=1.0):
     """one collection for all: the shells of a sphere follow each other, the far spheres come first"""
     seen = view(points, turn, tilt)
     order = np.argsort(-seen[:, 2])
@@ -139,12 +140,67 @@ def spheres(axes, points, radii, colours, turn=SLANTED[0], tilt=SLANTED[1]):
     centres = np.stack([seen[:, :2] + radii[:, None] * shift * LIGHT for _, shift, _ in SHELLS], axis=1).reshape(-1, 2)
     faces = np.stack([_shade(colours, white) for _, _, white in SHELLS], axis=1).reshape(-1, 4)
     axes.add_collection(EllipseCollection(sizes, sizes, np.zeros(sizes.size), units="xy", offsets=centres,
-                                          transOffset=axes.transData, facecolors=faces, edgecolors="none"))
+                                          transOffset=axes.transData, facecolors=faces, edgecolors="none", zorder=zorder))
 
 
 def particles(axes, frame, colours, direction=SLANTED):
     """the particles of a frame of a dump"""
     spheres(axes, np.column_stack([frame["x"], frame["y"], frame["z"]]), frame["radius"], colours, *direction)
+
+
+@dataclass
+class Lines:
+    """between points, shape (n, 2, 3); their colours and widths in points"""
+
+    ends: np.ndarray
+    colours: np.ndarray
+    widths: np.ndarray
+
+
+@dataclass
+class Tiles:
+    """of walls: corners, shape (n, 4, 3), and normals to the side of the particles. Those that would hide the particles are not drawn"""
+
+    corners: np.ndarray
+    normals: np.ndarray
+
+
+def painted(axes, direction, balls, lines=None, tiles=None):
+    """spheres (points, radii, colours), lines and tiles in slabs from far to near, each in front of the one before"""
+    depth = {"balls": view(balls[0], *direction)[:, 2]}
+    if lines is not None:
+        depth["lines"] = view(lines.ends.mean(axis=1), *direction)[:, 2]
+    if tiles is not None:
+        away = view(np.eye(3), *direction)[:, 2]
+        tiles = Tiles(tiles.corners[tiles.normals @ away < -1e-6], tiles.normals[tiles.normals @ away < -1e-6])
+        depth["tiles"] = view(tiles.corners.reshape(-1, 3), *direction)[:, 2].reshape(-1, 4).max(axis=1)
+    every = np.concatenate(list(depth.values()))
+    edges = np.linspace(every.max(initial=0.0), every.min(initial=0.0), SLABS + 1)[1:-1]
+    slab = {kind: np.searchsorted(-edges, -values) for kind, values in depth.items()}
+    for number in range(SLABS):
+        level = 1.0 + number / SLABS
+        if tiles is not None:
+            _tiles(axes, tiles, slab["tiles"] == number, direction, level)
+        if lines is not None:
+            _lines(axes, lines, slab["lines"] == number, direction, level + 0.3 / SLABS)
+        chosen = slab["balls"] == number
+        if chosen.any():
+            spheres(axes, *(values[chosen] for values in balls), *direction, zorder=level + 0.6 / SLABS)
+
+
+def _tiles(axes, tiles, chosen, direction, zorder):
+    if not chosen.any():
+        return
+    corners = view(tiles.corners[chosen].reshape(-1, 3), *direction)[:, :2].reshape(-1, 4, 2)
+    light = np.abs(view(tiles.normals[chosen], *direction) @ np.array([-0.3, 0.8, -0.5]))
+    faces = np.column_stack([np.array(to_rgba(FLOOR))[:3] * (0.78 + 0.24 * light[:, None]), np.ones(light.size)]).clip(0, 1)
+    axes.add_collection(PolyCollection(corners, facecolors=faces, edgecolors=faces, linewidths=0.4, zorder=zorder))
+
+
+def _lines(axes, lines, chosen, direction, zorder):
+    if chosen.any():
+        ends = view(lines.ends[chosen].reshape(-1, 3), *direction)[:, :2].reshape(-1, 2, 2)
+        axes.add_collection(LineCollection(ends, colors=lines.colours[chosen], linewidths=lines.widths[chosen], zorder=zorder))
 
 
 def floor(axes, corners, turn=SLANTED[0], tilt=SLANTED[1]):
@@ -189,6 +245,7 @@ class Film:
     words: "Callable | None" = None    # words(variables of a run, see settings): what it is
     zero: float = 0.0           # s, when the scene's time starts
     by: str = "time"            # what the instants are values of
+    bar_words: "str | None" = None    # the length in other words than metres
 
     def frames(self, folder):
         return dumps.read_run(folder, self.dump)
@@ -221,7 +278,7 @@ class Film:
         axis.axis("off")
         axis.set(xlim=self.window[:2], ylim=self.window[2:], aspect="equal")
         self.draw(axis, frame)
-        length_bar(axis, self.bar[1], self.bar[0], self.direction)
+        length_bar(axis, self.bar[1], self.bar[0], self.direction, self.bar_words)
         axis.set_title(self.title(frame), loc="left", pad=2)
 
     def _reaches(self, frames, instant):
