@@ -3,6 +3,7 @@
 
 """How far runs of LAMMPS have come: one line that is rewritten on a terminal, a line now and then elsewhere."""
 
+import re
 import sys
 import threading
 import time
@@ -53,6 +54,47 @@ class Progress:
         if self.terminal:
             print("\r\033[K", end="", flush=True)
         print(f"{self.title}: {clock(time.monotonic() - self.start)}", flush=True)
+
+
+class OfScript(Progress):
+    """of a script as LAMMPS repeats it (-echo both): plan: the steps of its runs, None where these are not known before. While the
+    steps of a later run are not known the bar is that of the present one"""
+
+    def __init__(self, title, plan):
+        super().__init__(title)
+        self.plan, self.count, self.before, self.first, self.last = plan, 0, 0, 0, 0
+        self.wanted = None
+
+    def read(self, line):
+        if match := re.match(r"\s*run\s+(\d+)(.*)", line):
+            self.before += self.last - self.first
+            self.count, self.wanted = self.count + 1, (int(match[1]), "upto" in match[2])
+            self.first = self.last = self.step
+        elif self.wanted and (match := re.match(r"\s*Current step +: (\d+)", line)):
+            self.first = self.step = int(match[1])
+            steps, upto = self.wanted
+            self.last = steps if upto else self.first + steps
+            self.wanted = None
+        super().read(line)
+
+    @property
+    def later(self):
+        """steps of the runs that follow, or None"""
+        later = self.plan[self.count:] if self.plan is not None and self.count <= len(self.plan) else [None]
+        return None if None in later else sum(later)
+
+    @property
+    def fraction(self):
+        if self.total:    # the script said it
+            return super().fraction
+        done, every = self.step - self.first, self.last - self.first
+        if self.later is not None:
+            done, every = done + self.before, every + self.before + self.later
+        return min(1.0, done / every) if every > 0 else 0.0
+
+    def text(self):
+        which = "" if self.total or self.later is not None else f", run {self.count}"
+        return f"{self.title}{which}: {bar(self.fraction, time.monotonic() - self.start)}"
 
 
 class Part(Progress):

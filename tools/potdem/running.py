@@ -121,7 +121,8 @@ def must_run(script, variables, folder, **settings):
 def watched(arguments, folder, progress):
     """runs a command line of LAMMPS, with its progress shown; None when LAMMPS ended well, else what it said"""
     output = []
-    with subprocess.Popen(arguments, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, text=True,
+    line_by_line = ["stdbuf", "-oL", *arguments]    # LAMMPS's own -nonbuf is not heeded for what goes to a pipe
+    with subprocess.Popen(line_by_line, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, text=True,
                           errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
         for line in process.stdout:
             progress.read(line)

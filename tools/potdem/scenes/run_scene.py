@@ -8,10 +8,12 @@ import os
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 from potdem import compare, logs, paraview, running
 from potdem.paths import with_package
 from potdem.progress import Progress
+from potdem.scenes import run_script
 from potdem.scenes import scene as scenes
 
 
@@ -122,6 +124,7 @@ def parse(argv):
     parser.add_argument("--update-reference", action="store_true")
     parser.add_argument("--animate", action="store_true")
     parser.add_argument("--paraview", action="store_true")
+    parser.add_argument("-var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"))
     arguments = parser.parse_intermixed_args(argv)
     if not arguments.list and not arguments.scene:
         parser.error("which scene? (--list names them)")
@@ -135,6 +138,10 @@ def main(argv):
     if arguments.list:
         list_scenes()
         return 0
+    if arguments.scene not in scenes.names() and Path(arguments.scene).exists():
+        return run_script.main(arguments)
+    if arguments.var:
+        raise Failure("-var is for a script of your own; a scene has variants (--list names them)")
     scene = scenes.Scene(arguments.scene)
     variants = [scene.variant(name) for name in arguments.variants or scene.default_variants]
     counts = [run_variant(variant, arguments) for variant in variants]
@@ -146,5 +153,5 @@ def main(argv):
 if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
-    except (Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
+    except (Failure, run_script.Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
         sys.exit(str(problem))

@@ -45,7 +45,7 @@ def names():
 class Scene:
     def __init__(self, name):
         if name not in names():
-            raise SceneError(f"no scene '{name}'; there are: {', '.join(names())}")
+            raise SceneError(f"no scene '{name}'; there are: {', '.join(names())}. Nor is it a script or a folder with one")
         self.name, self.folder = name, EXAMPLES / name
         settings = yaml.safe_load((self.folder / "scene.yaml").read_text(encoding="utf-8"))
         try:

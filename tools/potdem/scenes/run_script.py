@@ -1,0 +1,78 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""Runs a script of the user in its own folder, with progress and time left, and shows what it dumps (see examples/run)."""
+
+import re
+from pathlib import Path
+
+from potdem import commands, dumps, logs, running, see
+from potdem.progress import OfScript
+
+LOG = "log.lammps"
+
+
+class Failure(Exception):
+    """what ends the command"""
+
+
+def script_of(path):
+    """a file, or the only in.* of a folder"""
+    path = Path(path)
+    if not path.is_dir():
+        return path
+    found = sorted(path.glob("in.*"))
+    if len(found) != 1:
+        names = f"several scripts: {', '.join(file.name for file in found)}; name one of them" if found else "no script in.*"
+        raise Failure(f"{path} has {names}")
+    return found[0]
+
+
+def planned(text):
+    """steps of the script's runs, None where a variable gives them; None if it has loops, so that they cannot be counted"""
+    text = text.replace("&\n", " ")
+    if re.search(r"^\s*(jump|next|include|if\b.*\brun)\b", text, re.MULTILINE):
+        return None
+    runs = re.findall(r"^\s*run\s+(\S+)(.*)$", text, re.MULTILINE)
+    return [int(steps) if steps.isdecimal() and "upto" not in more else None for steps, more in runs]
+
+
+def run(arguments):
+    """with the arguments of examples/run; the folder of the run"""
+    script = script_of(arguments.scene)
+    folder = script.resolve().parent
+    plan = planned(script.read_text(encoding="utf-8", errors="replace"))
+    variables = {name: values for name, *values in arguments.var}
+    line = [*running.command(script.name, variables, LOG, arguments.np), "-echo", "both"]
+    problem = running.watched(line, folder, OfScript(f"{script.name} on {arguments.np} rank(s)", plan))
+    if problem:
+        raise Failure(f"{problem}\nlog: {folder / LOG}\ncommand, in {folder}: {' '.join(line)}")
+    warnings = re.findall(r"^WARNING: (.*)", logs.read(folder / LOG), re.MULTILINE)
+    for text in dict.fromkeys(warnings):
+        print(f"WARNING: {text}")
+    print(f"log:     {folder / LOG}")
+    return folder
+
+
+def show(folder, arguments):
+    """pictures of the dumps of particles"""
+    wishes = [option for option, wanted in (("--film", arguments.animate), ("--vtk", arguments.paraview)) if wanted]
+    shown = False
+    for words in commands.of_log(folder / LOG).dumps:
+        file = folder / words[5] if words[0] == "dump" else folder / words[3]
+        if words[0] == "dump" and words[3] in ("custom", "atom") and file.exists():
+            shown = True
+            try:
+                see.main([str(file), "--log", str(folder / LOG), "--still", *wishes])
+            except (see.SeeError, dumps.DumpError) as problem:
+                print(f"no picture: {problem}")
+    if not shown:
+        print("no picture, because the script dumps no particles. To have one, put before its run:\n"
+              "  dump see all custom N run.dump id type x y z radius vx vy vz")
+
+
+def main(arguments):
+    if arguments.variants or arguments.update_reference:
+        raise Failure(f"{arguments.scene} is a script, not a scene: it has no variants and no reference. Values of its variables: -var NAME VALUE")
+    show(run(arguments), arguments)
+    return 0
