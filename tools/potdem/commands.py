@@ -29,8 +29,24 @@ UNITS = {
                  "mass": "u"},
     "lj": {},
 }
-# what the columns of the package's computes are
-STRAIN = {1: "strain xx", 2: "strain yy", 3: "strain zz", 4: "strain xy", 5: "strain xz", 6: "strain yz", 7: "bonds of the particle"}
+# what the outputs of the package's styles are, by their number (0: what stands without one): in words, and a key of UNITS
+BONDS = "bonds of the particle"
+OUTPUTS = {
+    "potdem/strain/atom": {**{number: (f"strain {name}", "") for number, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz"), start=1)},
+                           7: (BONDS, "")},
+    "potdem/piece/atom": {0: ("piece", "")},
+    "potdem/timestep": {0: ("critical step", "time")},
+    "potdem/energy": {number: (name, "energy") for number, name in enumerate((
+        "sum of all energies", "kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping",
+        "work of walls", "springs of friction"))},
+    "potdem/failure": {0: ("failed bonds", ""), 1: ("fracture energy", "energy"), 2: ("failed in tension", ""),
+                       3: ("failed in compression", "")},
+    "potdem/wall/region": {0: ("energy of the wall", "energy"),
+                           **{number: (f"force on the wall, {k}", "force") for number, k in enumerate("xyz", start=1)}},
+}
+# of compute bond/local and pair/local
+LOCAL = {"b1": ("strain of the bond", ""), "b2": ("axial stress", "stress"), "p1": ("overlap", "length"), "force": ("force", "force"),
+         "dist": ("distance", "length"), "engpot": ("energy", "energy"), "eng": ("energy", "energy")}
 
 
 @dataclass
@@ -58,6 +74,7 @@ class Commands:
     units: str = "lj"
     dt: "float | None" = None
     computes: dict = field(default_factory=dict)    # ID -> words from the style on
+    fixes: dict = field(default_factory=dict)
     dumps: list = field(default_factory=list)       # words of each dump and write_dump
     regions: dict = field(default_factory=dict)     # ID -> Region
     walls: dict = field(default_factory=dict)       # ID of the fix -> Wall
@@ -80,26 +97,37 @@ class Commands:
         return None
 
     def meaning(self, column):
-        """(style of its compute, what it is there) of a column c_ID or c_ID[N]; ("", "") if that is not known"""
-        match = re.fullmatch(r"c_(\w+)(?:\[(\d+)\])?", column)
-        if not match or match[1] not in self.computes:
+        """(style, what it is there) of a column c_ID, c_ID[N], f_ID or f_ID[N] of a dump or of thermo output: a keyword of the package's
+        tables, or what the compute was asked for; ("", "") if that is not known"""
+        match = re.fullmatch(r"([cf])_(\w+)(?:\[(\d+)\])?", column)
+        every = self.computes if match and match[1] == "c" else self.fixes
+        if not match or match[2] not in every:
             return "", ""
-        style, *values = self.computes[match[1]]
-        number = int(match[2] or 1)
-        if style == "potdem/strain/atom":
-            return style, STRAIN.get(number, "")
-        if style == "potdem/piece/atom":
-            return style, "piece"
-        return style, values[number - 1] if number <= len(values) else ""
+        style, *values = every[match[2]]
+        number = int(match[3] or 0)
+        if style in OUTPUTS:
+            return style, OUTPUTS[style].get(number, ("", ""))[0]
+        number = max(number - 1, 0)
+        return style, values[number] if number < len(values) else ""
+
+    def quantity(self, column):
+        """a key of UNITS, or '' """
+        style, meaning = self.meaning(column)
+        if style in OUTPUTS:
+            return dict(OUTPUTS[style].values()).get(meaning, "")
+        return LOCAL.get(meaning, ("", ""))[1] if style.endswith("/local") else _quantity(column)
 
     def words(self, column):
-        """a column as the label of a scale or an axis"""
+        """a column as the label of a scale or an axis, without its unit"""
         style, meaning = self.meaning(column)
-        plain = {"b1": "strain of the bond", "b2": "axial stress", "p1": "overlap"} if "/local" in style else {}
-        name = plain.get(meaning, meaning or column)
-        quantity = {"b2": "stress", "p1": "length", "force": "force", "dist": "length", "engpot": "energy"}.get(meaning) or _quantity(column)
-        unit = self.unit(quantity)
-        return f"{name}, {unit}" if unit else name
+        if style.endswith("/local"):
+            return LOCAL.get(meaning, (meaning, ""))[0]
+        return meaning if style in OUTPUTS and meaning else column
+
+    def label(self, column):
+        """with its unit"""
+        unit = self.unit(self.quantity(column))
+        return f"{self.words(column)}, {unit}" if unit else self.words(column)
 
     def walls_at(self, step):
         """IDs of the regions that are walls at a step"""
@@ -153,9 +181,10 @@ def _take(found, words, spacing, step):
     elif len(words) > 2 and words[0] == "region":
         box = words[words.index("units") + 1] == "box" if "units" in words[:-1] else False
         found.regions[words[1]] = Region(words[2:], np.ones(3) if box else spacing)
-    elif len(words) > 3 and words[0] == "fix" and "wall" in words[3]:
+    elif len(words) > 3 and words[0] == "fix":
+        found.fixes[words[1]] = words[3:]
         _end_wall(found, words[1], step)
-        for word in words[4:]:
+        for word in words[4:] if "wall" in words[3] else []:
             if word in found.regions:
                 found.walls[words[1]] = Wall(word, step)
 

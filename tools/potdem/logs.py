@@ -62,10 +62,14 @@ def _runs(text):
         return _formats().LogFile(file.name).runs
 
 
-def thermo(text):
-    """column -> array over all rows of all runs; the step two runs share is kept once"""
+def thermo(text, last=False):
+    """column -> array over all rows of all runs; the step two runs share is kept once. last: of those runs that have the columns of the
+    last, where they differ"""
     columns, tables = None, []
-    for run in _runs(text):
+    runs = _runs(text)
+    for run in runs:
+        if last and list(run) != list(runs[-1]):
+            continue
         if columns is None:
             columns = list(run)
         elif columns != list(run):
@@ -87,10 +91,10 @@ def read(path):
     return Path(path).read_text(encoding="utf-8", errors="replace")
 
 
-def read_thermo(path):
+def read_thermo(path, last=False):
     """as thermo(), of a file"""
     try:
-        return thermo(read(path))
+        return thermo(read(path), last)
     except LogError as problem:
         raise LogError(f"{path}: {problem}") from None
 

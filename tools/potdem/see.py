@@ -217,6 +217,8 @@ class View(picture.Film):
         """figure and its panel, laid out with the first frame that it is to show"""
         figure, ((axis,),), _ = self.panels(1, 1)
         figure.set_dpi(DPI)
+        wide, high = figure.get_size_inches()
+        figure.set_size_inches(wide, high - (0.4 if self.colouring.scale else 0.9))    # no title of the whole, perhaps no colour bar
         if self.colouring.scale:
             self.colouring.scale.bar(figure, axis)
         axis.set(xlim=self.window[:2], ylim=self.window[2:], aspect="equal")
@@ -260,9 +262,9 @@ def colouring(frames, run, links, wanted, limits):
     kind = _kind(values)
     if run.meaning(column)[1].startswith("strain"):
         kind = "strain"
-        found.loose = next((name for name in frames[0] if run.meaning(name)[1] == commands.STRAIN[7]), None) if not links else None
+        found.loose = next((name for name in frames[0] if run.meaning(name)[1] == commands.BONDS), None) if not links else None
     low, high = limits or _range(values, kind == "strain")
-    label = f"speed, {run.unit('velocity')}".rstrip(", ") if column == "speed" else run.words(column)
+    label = f"speed, {run.unit('velocity')}".rstrip(", ") if column == "speed" else run.label(column)
     found.scale = picture.Scale(kind, low, high, label, "both")
     return found
 
@@ -476,8 +478,9 @@ class Seen:
         except logs.LogError:
             return None
 
-    def view(self, numbers):
-        """how the frames of these numbers are shown"""
+    def view(self):
+        """how all frames are shown: a still has the window and the colours of the film"""
+        numbers = self.numbers
         chosen = sorted({numbers[round(k)] for k in np.linspace(0, len(numbers) - 1, min(SAMPLES, len(numbers)))})
         samples = [frame for number in chosen if (frame := self.frame(number))["x"].size]
         if not samples:
@@ -514,24 +517,21 @@ def main(argv):
         return seen.source.with_name(stem + ending)
 
     done = [arguments.film, arguments.vtk, arguments.still]
-    notes = set()
+    view = None
     if arguments.film is not None:
-        view, path = seen.view(seen.numbers), Path(arguments.film or beside(".mp4"))
+        view, path = seen.view(), Path(arguments.film or beside(".mp4"))
         film(view, seen.frames(), len(seen.numbers), path)
         say(f"film:    {path}")
-        notes |= view.not_drawn
     if arguments.vtk is not None:
-        view = seen.view(seen.numbers)
+        view = view or seen.view()
         folder = Path(arguments.vtk or beside(".vtk"))
         say(f"frames:  {vtk(view, seen.links, seen.frames(), len(seen.numbers), folder, stem)}")
-        notes |= view.not_drawn
     if arguments.still is not None or all(what is None for what in done):
         number = seen.nearest()
-        view, path = seen.view([number]), Path(arguments.still or beside(".png"))
+        view, path = view or seen.view(), Path(arguments.still or beside(".png"))
         still(view, seen.frame(number), path)
         say(f"picture: {path}")
-        notes |= view.not_drawn
-    for note in sorted(notes):
+    for note in sorted(view.not_drawn):
         say(note)
     return 0
 
