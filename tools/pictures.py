@@ -2,23 +2,26 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Draws the pictures on the pages of the scenes, and the animation of three of them.
+"""Draws the pictures on the pages of the scenes, the animation of three of them, and those of docs/see.md.
 
-Usage: tools/python tools/pictures.py [SCENE ...] [animation]      examples/*/*.png and docs/scenes.gif, or some of them
+Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see]      examples/*/*.png, docs/scenes.gif and docs/see*.png, or some of them
 from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
 """
 
+import re
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
+from pathlib import Path
 
-from potdem import dumps, picture
+from potdem import dumps, picture, plot, running, see
 from potdem.paths import DOCS, EXAMPLES, with_package
 from potdem.progress import Progress
 from potdem.scenes import run_scene
 from potdem.scenes.scene import OUTPUT, Scene
 
-ANIMATION = "animation"
+ANIMATION, SEE = "animation", "see"
 FRAMES, COLOURS = 64, 80
 HEIGHT, DPI = 3.1, 84    # inches, and dots in each
 
@@ -115,16 +118,33 @@ def animate(path):
     print(path)
 
 
+def script_of_see():
+    """the script of docs/see.md"""
+    return re.search(r"^```LAMMPS\n(.*?)^```$", (DOCS / "see.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)[1]
+
+
+def draw_see(instant="0.036"):
+    with tempfile.TemporaryDirectory() as folder:
+        running.must_run(script_of_see(), {}, folder, name="mine", log="log.lammps")
+        run, log = Path(folder) / "run.dump", Path(folder) / "log.lammps"
+        for name, lines in (("see.png", []), ("see-bonds.png", ["--bonds"])):
+            see.main([str(run), "--at", instant, *lines, "--still", str(DOCS / name)])
+            picture.shrink(DOCS / name, DOCS / name)
+        plot.main([str(log), "--out", str(DOCS / "see-plot.png")])
+
+
 def main(*chosen):
     scenes = {drawn.scene for drawn in PICTURES}
-    unknown = set(chosen) - {*scenes, ANIMATION}
+    unknown = set(chosen) - {*scenes, ANIMATION, SEE}
     if unknown:
-        sys.exit(f"no pictures of {', '.join(sorted(unknown))}; there are: {', '.join(sorted(scenes))}, {ANIMATION}")
+        sys.exit(f"no pictures of {', '.join(sorted(unknown))}; there are: {', '.join(sorted(scenes))}, {ANIMATION}, {SEE}")
     for drawn in PICTURES:
         if not chosen or drawn.scene in chosen:
             drawn.draw()
     if not chosen or ANIMATION in chosen:
         animate(DOCS / "scenes.gif")
+    if not chosen or SEE in chosen:
+        draw_see()
 
 
 if __name__ == "__main__":

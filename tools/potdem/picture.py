@@ -362,7 +362,12 @@ def save(figure, path):
     whole = io.BytesIO()
     figure.savefig(whole, format="png", facecolor="white")
     plt.close(figure)
-    image = Image.open(whole).convert("RGB")
+    shrink(whole, path)
+
+
+def shrink(source, path):
+    """a PNG as one with a palette"""
+    image = Image.open(source).convert("RGB")
     _with_palette([image], image, 256)[0].save(path, format="png", optimize=True)
 
 
