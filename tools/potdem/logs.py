@@ -56,6 +56,8 @@ def _prepared(text):
 
 def _runs(text):
     """a dict of column -> list of values for each run"""
+    if not re.search(r"^ *Step |^keywords:", text, re.MULTILINE):
+        return []
     with tempfile.NamedTemporaryFile("w", encoding="ascii", errors="replace", suffix=".log") as file:
         file.write(_prepared(text))
         file.flush()
