@@ -4,7 +4,7 @@
 
 """Draws the pictures on the pages of the scenes, the animation of three of them, and those of docs/see.md.
 
-Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see]      examples/*/*.png, docs/scenes.gif and docs/see*.png, or some of them
+Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see]      examples/*/*.png, docs/scenes.gif, docs/see*.png, or some of them
 from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
 """
 

@@ -18,8 +18,8 @@ from potdem import logs
 UNITS = {
     "si": {"length": "m", "time": "s", "velocity": "m/s", "force": "N", "energy": "J", "stress": "Pa", "mass": "kg"},
     "cgs": {"length": "cm", "time": "s", "velocity": "cm/s", "force": "dyne", "energy": "erg", "stress": "barye", "mass": "g"},
-    "micro": {"length": "µm", "time": "µs", "velocity": "µm/µs", "force": "pg µm/µs²", "energy": "pg µm²/µs²", "stress": "pg/(µm µs²)",
-              "mass": "pg"},
+    "micro": {"length": "µm", "time": "µs", "velocity": "µm/µs", "force": "pg µm/µs²", "energy": "pg µm²/µs²",
+              "stress": "pg/(µm µs²)", "mass": "pg"},
     "nano": {"length": "nm", "time": "ns", "velocity": "nm/ns", "force": "ag nm/ns²", "energy": "ag nm²/ns²", "stress": "ag/(nm ns²)",
              "mass": "ag"},
     "metal": {"length": "Å", "time": "ps", "velocity": "Å/ps", "force": "eV/Å", "energy": "eV", "stress": "bar", "mass": "g/mol"},
@@ -137,7 +137,7 @@ class Commands:
 
 def _quantity(column):
     """of an attribute of dump custom or a keyword of thermo_style, or ''"""
-    kinds = {"length": r"[xyz]u?|radius|diameter|xlo|xhi|ylo|yhi|zlo|zhi|[Ll]x|[Ll]y|[Ll]z", "velocity": r"v[xyz]|speed", "force": r"f[xyz]",
+    kinds = {"length": r"[xyz]u?|radius|diameter|[xyz](lo|hi)|[Ll][xyz]", "velocity": r"v[xyz]|speed", "force": r"f[xyz]",
              "time": r"Time|Dt", "energy": r"PotEng|KinEng|TotEng|E_\w+|Econserve|ecouple", "stress": r"Press|P[xyz]{2}",
              "mass": r"mass"}
     return next((kind for kind, pattern in kinds.items() if re.fullmatch(pattern, column)), "")

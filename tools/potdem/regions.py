@@ -101,7 +101,8 @@ def _inside(name, regions, points):
     else:
         axis, across, radius = _round(numbers)
         along = points[:, axis]
-        found = (np.linalg.norm(points[:, across] - numbers[1:3], axis=1) <= radius(along)) & (along >= numbers[-2]) & (along <= numbers[-1])
+        found = np.linalg.norm(points[:, across] - numbers[1:3], axis=1) <= radius(along)
+        found &= (along >= numbers[-2]) & (along <= numbers[-1])
     return found != outside
 
 

@@ -3,11 +3,14 @@
 
 """tools/plot: curves of the thermo output, with units."""
 
+import re
+
 import numpy as np
 import pytest
 from PIL import Image
 
 from potdem import commands, logs, plot
+from potdem.paths import DOCS
 
 LOG = """LAMMPS (4 Feb 2025 - Update 1)
 units {units}
@@ -75,13 +78,11 @@ def test_of_runs_that_differ_in_their_columns_the_last_are_drawn(log):
 
 def test_the_words_of_the_ledger_are_those_of_its_page():
     """the table of compute_potdem_energy.md, in its order"""
-    import re
-    from potdem.paths import DOCS
     rows = re.findall(r"^\| (\d+) \| (.*?) \|", (DOCS / "compute_potdem_energy.md").read_text(encoding="utf-8"), re.MULTILINE)
     words = commands.OUTPUTS["potdem/energy"]
     assert [int(number) for number, _ in rows] == list(range(1, len(words)))
-    keys = {"bonds": "elastic energy of bonds", "contacts": "elastic energy of contacts", "walls": "elastic energy of walls", "damping": "numerical damping",
-            "work of walls": "work of moving walls", "springs of friction": "elastic energy of the springs of friction"}
+    keys = {"bonds": "elastic energy of bonds", "contacts": "elastic energy of contacts", "walls": "elastic energy of walls",
+            "damping": "numerical damping", "work of walls": "work of moving walls", "springs of friction": "elastic energy of the springs of friction"}
     for number, text in rows:
         name = words[int(number)][0]
         assert text.startswith(keys.get(name, name)), (number, name, text)

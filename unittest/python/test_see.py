@@ -4,6 +4,7 @@
 """tools/see: stills, films and files for ParaView of any dump."""
 
 import re
+import shlex
 import shutil
 import subprocess
 
@@ -12,7 +13,7 @@ import pytest
 import vtk_files
 from PIL import Image
 
-from potdem import commands, dumps, plot, regions, see
+from potdem import commands, dumps, logs, look, plot, regions, running, see
 from potdem.paths import DOCS, ROOT
 from potdem.text import replaced
 
@@ -83,8 +84,8 @@ def test_the_near_hides_the_far(folder):
 def test_a_plane_is_seen_from_above_and_a_long_body_from_its_side():
     flat = [dumps.Frame(0, {"x": np.array([0.0, 1]), "y": np.array([0.0, 2]), "z": np.zeros(2)})]
     long = [dumps.Frame(0, {"x": np.zeros(2), "y": np.array([0.0, 9]), "z": np.array([0.0, 1])})]
-    assert see.direction_of(flat) == (0, 90)
-    assert see.direction_of(long)[0] == pytest.approx(66)
+    assert look.direction_of(flat) == (0, 90)
+    assert look.direction_of(long)[0] == pytest.approx(66)
 
 
 def log_of(*lines, dump="run.dump"):
@@ -119,7 +120,8 @@ def test_walls_behind_the_particles_are_drawn(folder, walls, drawn):
 
 def test_the_log_says_what_the_script_was(folder):
     log = folder / "log.lammps"
-    log.write_text(log_of("lattice sc 0.5", "Lattice spacing in x,y,z = 0.5 0.5 0.5", "region box block 0 ${n} 0 2 0 2", "region box block 0 4 0 2 0 2",
+    log.write_text(log_of("lattice sc 0.5", "Lattice spacing in x,y,z = 0.5 0.5 0.5",
+                          "region box block 0 ${n} 0 2 0 2", "region box block 0 4 0 2 0 2",
                           'if "${walls} == yes" then &', '  "region a plane 0 0 0 0 0 1" "fix a all wall/region a lj93 1 1 1"', *FLOOR,
                           "compute s all potdem/strain/atom  # strains", "fix c all potdem/failure 1 tension 1"))
     run = commands.of_log(log)
@@ -170,8 +172,8 @@ def test_a_wall_moves_by_its_column_of_the_thermo_output(folder):
 
 
 def probed(path):
-    text = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
-                           "stream=nb_read_frames,width,height,codec_name,pix_fmt", "-of", "default=nw=1", path], capture_output=True, text=True, check=True).stdout
+    text = subprocess.check_output(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                                    "stream=nb_read_frames,width,height,codec_name,pix_fmt", "-of", "default=nw=1", path], text=True)
     return dict(line.split("=") for line in text.split())
 
 
@@ -191,7 +193,7 @@ def test_a_film_has_every_frame(folder, capsys):
 def test_without_ffmpeg_the_remedy_is_named(folder, monkeypatch):
     (folder / "run.dump").write_text(frame(0, [(1, 2, 0, 0, 0, 1)]))
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(see.SeeError, match="apt-get install ffmpeg"):
+    with pytest.raises(look.SeeError, match="apt-get install ffmpeg"):
         see.main(["run.dump", "--film"])
 
 
@@ -232,7 +234,7 @@ def test_files_for_paraview_have_particles_with_their_columns(folder):
 
 
 def test_vtk_reads_what_is_written(folder):
-    """VTK's own reader, which comes with python3-vtk9 or python3-paraview; neither is needed to build or run, and the two exclude each other"""
+    """VTK's own reader, of python3-vtk9 or python3-paraview; neither is needed to build or run, and the two exclude each other"""
     io = pytest.importorskip("vtkmodules.vtkIOXML", reason="neither python3-vtk9 nor python3-paraview is installed")
     (folder / "run.dump").write_text(frame(4, [(1, 1, 0, 0, 0, 0.5), (2, 1, 1, 0, 0, 0.5)]))
     (folder / "b.dump").write_text(bonds_frame(4, [(1, 1, 2, 0.125)]))
@@ -259,8 +261,8 @@ def test_contacts_that_do_not_touch_are_left_out(folder):
     ("id element x y z radius", [(1, "Fe", 1, 2, 3, 1)], [1, 2, 3])])
 def test_positions_come_in_any_of_lammps_forms(folder, columns, rows, points):
     (folder / "run.dump").write_text(frame(0, rows, columns, bounds=((0, 10), (10, 20), (20, 30))))
-    found = see.placed(dumps.Dump("run.dump")[0], folder / "run.dump", None)
-    assert see.points(found)[0] == pytest.approx(points) and found["radius"] == pytest.approx(1)
+    found = look.placed(dumps.Dump("run.dump")[0], folder / "run.dump", None)
+    assert look.points(found)[0] == pytest.approx(points) and found["radius"] == pytest.approx(1)
 
 
 def test_a_tilted_box_has_its_edges():
@@ -275,7 +277,8 @@ ONE = [(1, 2, 0, 0, 0, 1)]
 
 
 @pytest.mark.parametrize("text, arguments, message", [
-    (frame(0, [(1, 2, 0, 0, 0)], "id type x y z"), [], r"no column radius. Let the script write it,\n  dump see all custom N run.dump id type x y z radius\nor .*--diameter"),
+    (frame(0, [(1, 2, 0, 0, 0)], "id type x y z"), [],
+     r"no column radius. Let the script write it,\n  dump see all custom N run.dump id type x y z radius\nor .*--diameter"),
     (frame(0, [(1, 2)], "id type"), [], "has no positions, only id, type. Let the script write them"),
     ("Cu atoms\n1 2 3\n", [], "run.dump: not a text file of dump custom or dump local"),
     (frame(0, ONE)[:-20], [], "run.dump: its only frame is not complete"),
@@ -291,7 +294,7 @@ ONE = [(1, 2, 0, 0, 0, 1)]
 def test_bad_input_ends_in_one_error_with_a_remedy(folder, text, arguments, message):
     (folder / "run.dump").write_text(text)
     (folder / "b.dump").write_text(bonds_frame(5, [(1, 1, 2, 0.1)]))
-    with pytest.raises((see.SeeError, dumps.DumpError), match=message):
+    with pytest.raises((look.SeeError, dumps.DumpError), match=message):
         see.main(["run.dump", *arguments])
     assert not (folder / "run.png").exists()
 
@@ -330,7 +333,6 @@ LINES = [line for kind, block in re.findall(r"^```(\w*)\n(.*?)^```$", PAGE, re.M
 @pytest.fixture(scope="module")
 def beam(lmp, tmp_path_factory):
     """a folder with the run of the page, with ten frames"""
-    from potdem import running
     folder = tmp_path_factory.mktemp("beam")
     script = BLOCKS[0]
     for name in ("run.dump", "bonds.dump", "contacts.dump"):
@@ -341,7 +343,6 @@ def beam(lmp, tmp_path_factory):
 
 
 def test_every_command_of_the_page_works(beam, monkeypatch, capsys):
-    import shlex
     monkeypatch.chdir(beam)
     programs = {"tools/see": see.main, "tools/plot": plot.main}
     done = 0
@@ -353,13 +354,13 @@ def test_every_command_of_the_page_works(beam, monkeypatch, capsys):
             done += 1
     out = capsys.readouterr().out
     assert done == len(LINES) - 1 == 9
-    for file in ("run.png", "run.mp4", "bonds.mp4", "contacts.png", "pieces.png", "speed.png", "run.vtk/run.pvd", "log.lammps.png", "force.png"):
+    for file in ("run.png", "run.mp4", "bonds.mp4", "contacts.png", "pieces.png", "speed.png", "run.vtk/run.pvd", "log.lammps.png",
+                 "force.png"):
         assert (beam / file).stat().st_size > 500 and file in out
 
 
 def test_a_broken_beam_is_in_the_files_as_lammps_counted_it(beam):
     """bonds of the thermo output, and the floor 12 spacings of 5 mm below"""
-    from potdem import logs
     see.main([str(beam / "run.dump"), "--vtk", str(beam / "all")])
     frames = vtk_files.series(beam / "all" / "run.pvd")
     thermo = logs.read_thermo(beam / "log.lammps")

@@ -6,7 +6,7 @@
 import re
 from pathlib import Path
 
-from potdem import commands, dumps, logs, running, see
+from potdem import commands, dumps, logs, look, running, see
 from potdem.progress import OfScript
 
 LOG = "log.lammps"
@@ -64,7 +64,7 @@ def show(folder, arguments):
             shown = True
             try:
                 see.main([str(file), "--log", str(folder / LOG), "--still", *wishes])
-            except (see.SeeError, dumps.DumpError) as problem:
+            except (look.SeeError, dumps.DumpError) as problem:
                 print(f"no picture: {problem}")
     if not shown:
         print("no picture, because the script dumps no particles. To have one, put before its run:\n"
@@ -73,6 +73,7 @@ def show(folder, arguments):
 
 def main(arguments):
     if arguments.variants or arguments.update_reference:
-        raise Failure(f"{arguments.scene} is a script, not a scene: it has no variants and no reference. Values of its variables: -var NAME VALUE")
+        raise Failure(f"{arguments.scene} is a script, not a scene: it has no variants and no reference. "
+                      "Values of its variables: -var NAME VALUE")
     show(run(arguments), arguments)
     return 0
