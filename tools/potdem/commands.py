@@ -150,10 +150,6 @@ def of_log(path):
     for line in text.replace("&\n", " ").splitlines():
         if match := re.match(r"Lattice spacing in x,y,z = (\S+) (\S+) (\S+)", line):
             spacing = np.array(match.groups(), dtype=float)
-        elif match := re.match(r"\s*Current step +: (\d+)", line):
-            step = int(match[1])
-        elif match := re.match(r"\s*Time step +: (\S+)", line):
-            found.dt = float(match[1])
         elif match := re.match(r"Loop time of \S+ on \d+ procs for (\d+) steps", line):
             step += int(match[1])
         elif "$" not in line:
@@ -172,6 +168,8 @@ def _take(found, words, spacing, step):
     """one command"""
     if len(words) > 1 and words[0] == "units":
         found.units = words[1]
+    elif len(words) > 1 and words[0] == "timestep":
+        found.dt = float(words[1])
     elif len(words) > 1 and words[0] == "unfix":
         _end_wall(found, words[1], step)
     elif len(words) > 3 and words[0] == "compute":
@@ -184,9 +182,26 @@ def _take(found, words, spacing, step):
     elif len(words) > 3 and words[0] == "fix":
         found.fixes[words[1]] = words[3:]
         _end_wall(found, words[1], step)
-        for word in words[4:] if "wall" in words[3] else []:
-            if word in found.regions:
-                found.walls[words[1]] = Wall(word, step)
+        if "wall" in words[3]:
+            _take_flat_walls(found, words)
+            for word in words[4:]:
+                if word in found.regions:
+                    found.walls[words[1]] = Wall(word, step)
+
+
+def _take_flat_walls(found, words):
+    """walls that fix wall/gran has without a region, as a region with the ID of the fix: xplane lo hi, ..., zcylinder radius"""
+    for axis, word in enumerate(("xplane", "yplane", "zplane")):
+        if word in words[:-2]:
+            place = words.index(word) + 1
+            bounds = ["INF"] * 6
+            bounds[2 * axis: 2 * axis + 2] = ["INF" if end == "NULL" else end for end in words[place:place + 2]]
+            found.regions[words[1]] = Region(["block", *bounds], np.ones(3))
+            words.append(words[1])
+    if "zcylinder" in words[:-1]:
+        radius = words[words.index("zcylinder") + 1]
+        found.regions[words[1]] = Region(["cylinder", "z", "0", "0", radius, "INF", "INF"], np.ones(3))
+        words.append(words[1])
 
 
 def _end_wall(found, name, step):

@@ -164,7 +164,7 @@ class View(picture.Film):
         time = self.time(frame)
         if time is None:
             return f"step {frame.step}"
-        return picture.time_words(time) if self.run.units == "si" else f"{time:.4g} {self.run.unit('time')}".strip()
+        return picture.time_words(time) if self.run.units == "si" else f"time {time:.4g} {self.run.unit('time')}".strip()
 
     def tiles(self, step):
         """of the walls at a step"""

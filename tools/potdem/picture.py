@@ -171,8 +171,8 @@ def painted(axes, direction, balls, lines=None, tiles=None):
     if lines is not None:
         depth["lines"] = view(lines.ends.mean(axis=1), *direction)[:, 2]
     if tiles is not None:
-        away = view(np.eye(3), *direction)[:, 2]
-        tiles = Tiles(tiles.corners[tiles.normals @ away < -1e-6], tiles.normals[tiles.normals @ away < -1e-6])
+        shown = tiles.normals @ view(np.eye(3), *direction)[:, 2] < 1e-6    # on edge they are lines
+        tiles = Tiles(tiles.corners[shown], tiles.normals[shown])
         depth["tiles"] = view(tiles.corners.reshape(-1, 3), *direction)[:, 2].reshape(-1, 4).max(axis=1)
     every = np.concatenate(list(depth.values()))
     edges = np.linspace(every.max(initial=0.0), every.min(initial=0.0), SLABS + 1)[1:-1]
@@ -194,7 +194,9 @@ def _tiles(axes, tiles, chosen, direction, zorder):
     corners = view(tiles.corners[chosen].reshape(-1, 3), *direction)[:, :2].reshape(-1, 4, 2)
     light = np.abs(view(tiles.normals[chosen], *direction) @ np.array([-0.3, 0.8, -0.5]))
     faces = np.column_stack([np.array(to_rgba(FLOOR))[:3] * (0.78 + 0.24 * light[:, None]), np.ones(light.size)]).clip(0, 1)
-    axes.add_collection(PolyCollection(corners, facecolors=faces, edgecolors=faces, linewidths=0.4, zorder=zorder))
+    on_edge = np.abs(tiles.normals[chosen] @ view(np.eye(3), *direction)[:, 2]) <= 1e-6
+    edges = np.where(on_edge[:, None], to_rgba(WALL), faces)
+    axes.add_collection(PolyCollection(corners, facecolors=faces, edgecolors=edges, linewidths=np.where(on_edge, 2.0, 0.4), zorder=zorder))
 
 
 def _lines(axes, lines, chosen, direction, zorder):

@@ -4,6 +4,7 @@
 """Makes of any dump of particles a still, a film or files for ParaView and OVITO (docs/see.md)."""
 
 import argparse
+import functools
 import shutil
 import subprocess
 import sys
@@ -164,11 +165,13 @@ class Seen:
     def frames(self):
         return (self.frame(number) for number in self.numbers)
 
+    @functools.cached_property
     def thermo(self):
         """of the log, or None: one that cannot be read is no reason to show nothing"""
         try:
-            return logs.read_thermo(self.run.path) if self.run.path else None
-        except logs.LogError:
+            return logs.read_thermo(self.run.path, last=True) if self.run.path else None
+        except logs.LogError as problem:
+            say(f"{problem}; times are steps of the timestep command")
             return None
 
     def view(self):
@@ -181,7 +184,7 @@ class Seen:
         direction = tuple(self.arguments.view or look.direction_of(samples))
         colours = look.colouring(samples, self.run, self.drawn, self.arguments.colour, self.arguments.range)
         view = View("", None, colours.scale, (), (), direction, run=self.run, colouring=colours, links=self.drawn,
-                    room=look.room_of(samples), thermo=self.thermo())
+                    room=look.room_of(samples), thermo=self.thermo)
         view.draw = view.paint
         view.window, view.bar = look.window_of(samples, direction, view.tiles(samples[-1].step))
         if self.run.units != "si":
@@ -192,7 +195,7 @@ class Seen:
         """number of the frame for a still"""
         if self.arguments.at is None:
             return self.numbers[-1]
-        view = View("", None, None, (), (), run=self.run, thermo=self.thermo())
+        view = View("", None, None, (), (), run=self.run, thermo=self.thermo)
         times = []
         for number in self.numbers:
             place = self.dump.places[number]

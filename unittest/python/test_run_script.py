@@ -19,6 +19,8 @@ from potdem.progress import OfScript
 from potdem.scenes import run_script
 from potdem.text import replaced
 
+pytestmark = pytest.mark.built_in
+
 SCRIPT = """
 units si
 atom_style sphere

@@ -81,6 +81,11 @@ def test_the_near_hides_the_far(folder):
         assert len(pixels("run.png", front)) > 1000 and len(pixels("run.png", 5 - front)) == 0
 
 
+def test_the_command_tells_of_itself():
+    done = subprocess.run([ROOT / "tools" / "see", "--help"], capture_output=True, text=True, check=True)
+    assert "--film [FILE.mp4]" in done.stdout
+
+
 def test_a_plane_is_seen_from_above_and_a_long_body_from_its_side():
     flat = [dumps.Frame(0, {"x": np.array([0.0, 1]), "y": np.array([0.0, 2]), "z": np.zeros(2)})]
     long = [dumps.Frame(0, {"x": np.zeros(2), "y": np.array([0.0, 9]), "z": np.array([0.0, 1])})]
@@ -90,7 +95,7 @@ def test_a_plane_is_seen_from_above_and_a_long_body_from_its_side():
 
 def log_of(*lines, dump="run.dump"):
     return "\n".join(["LAMMPS (4 Feb 2025 - Update 1)", "units si", *lines, f"dump d all custom 10 {dump} {COLUMNS}",
-                      "  Current step  : 0", "  Time step     : 0.001", "Loop time of 1 on 1 procs for 10 steps with 2 atoms"]) + "\n"
+                      "timestep 0.001", "Loop time of 1 on 1 procs for 10 steps with 2 atoms"]) + "\n"
 
 
 FLOOR = ("region floor plane 0 0 -2 0 0 1 units box", "fix f all potdem/wall/region floor 1e5 0.2 particle 1e5 0.2")
@@ -105,7 +110,12 @@ def grey_share(path):
     return np.mean((abs(image - shade * tint).max(axis=2) < 3) & (shade[..., 0] > 150) & (shade[..., 0] < 245))
 
 
-@pytest.mark.parametrize("walls, drawn", [((), False), (FLOOR, True), (LID, False), ((*FLOOR, "unfix f"), False)])
+PLANES = "fix w all wall/gran hooke/history 1 NULL 1 NULL 0.5 1 zplane {} {}"
+
+
+@pytest.mark.parametrize("walls, drawn", [
+    ((), False), (FLOOR, True), (LID, False), ((*FLOOR, "unfix f"), False),
+    ([PLANES.format("-2", "NULL")], True), ([PLANES.format("NULL", "2")], False)])
 def test_walls_behind_the_particles_are_drawn(folder, walls, drawn):
     """seen from above a floor is behind them, a lid would hide them; a fix that has ended is no wall"""
     (folder / "run.dump").write_text(frame(10, [(1, 2, 0, 0, -1.5, 0.5), (2, 2, 3, 0, 1, 0.5)]))
@@ -116,6 +126,18 @@ def test_walls_behind_the_particles_are_drawn(folder, walls, drawn):
         (folder / "run.dump").write_text(frame(20, [(1, 2, 0, 0, -1.5, 0.5), (2, 2, 3, 0, 1, 0.5)]))
     see.main(["run.dump", "--view", "0", "45"])
     assert (grey_share("run.png") > 0.1) == drawn
+
+
+def test_a_wall_on_edge_is_a_line_where_it_is(folder):
+    """the floor 2 below particles 4 apart"""
+    (folder / "run.dump").write_text(frame(0, [(1, 2, 0, 0, 0, 0.5), (2, 3, 4, 0, 0, 0.5)]))
+    (folder / "log.lammps").write_text(log_of(*FLOOR, "region low plane 0 0 -0.7 0 0 1 units box", FLOOR[1].replace("floor", "low")))
+    see.main(["run.dump", "--view", "0", "0"])
+    left, right = centre("run.png", 2), centre("run.png", 3)
+    image = np.asarray(Image.open("run.png").convert("RGB")).astype(int)
+    rows = np.nonzero(np.mean(abs(image - [0xb9, 0xc2, 0xc9]).max(axis=2) < 4, axis=1) > 0.5)[0]
+    # of the two with one ID of fix the later counts
+    assert -rows.mean() - left[1] == pytest.approx(-0.7 / 4 * (right - left)[0], rel=0.05)
 
 
 def test_the_log_says_what_the_script_was(folder):
