@@ -12,6 +12,7 @@ import numpy as np
 from potdem import commands, dumps, picture, regions
 
 SHARE = 0.02                # of values beyond the range of colours, and of particles outside the picture
+KIND_COLOURS = np.array([picture.BODY, *map(picture.to_rgba, picture.CURVES)])    # of types 1, 2, ...
 SMALL = {"bonds": 0.45, "contacts": 0.35}    # share of their radius with which particles are drawn among lines
 DPI = 200
 
@@ -116,12 +117,13 @@ class Links:
 
 @dataclass
 class Colouring:
-    """values of a frame as colours: scale, or a colour for each whole number; of: particles or the kind of the links"""
+    """values of a frame as colours: of a scale, or one for each whole number; kinds: these numbers; loose: column that is 0 of particles
+    without bonds"""
 
     column: "str | None" = None
     scale: "picture.Scale | None" = None
-    of: str = "particles"
-    loose: "str | None" = None    # column that is 0 of particles without bonds
+    kinds: tuple = ()
+    loose: "str | None" = None
 
     def values(self, table):
         if self.column == "speed":
@@ -133,8 +135,7 @@ class Colouring:
             return np.tile(picture.BODY, (count, 1))
         values = self.values(table)
         if self.scale is None:
-            palette = np.array([picture.to_rgba(colour) for colour in ("#8a8f98", *picture.CURVES)])
-            return palette[(values.astype(int) - 1) % len(palette)]
+            return KIND_COLOURS[(values.astype(int) - 1) % len(KIND_COLOURS)]
         colours = self.scale(values)
         if self.loose:
             colours[table[self.loose] == 0] = picture.LOOSE
@@ -218,9 +219,14 @@ class View(picture.Film):
         figure, ((axis,),), _ = self.panels(1, 1)
         figure.set_dpi(DPI)
         wide, high = figure.get_size_inches()
-        figure.set_size_inches(wide, high - (0.4 if self.colouring.scale else 0.9))    # no title of the whole, perhaps no colour bar
+        figure.set_size_inches(wide, high - (0.4 if self.colouring.scale else 0.7))    # no title of the whole, perhaps no colour bar
         if self.colouring.scale:
             self.colouring.scale.bar(figure, axis)
+        elif 1 < len(self.colouring.kinds) < len(KIND_COLOURS):
+            handles = [picture.plt.Line2D([], [], marker="o", linestyle="", color=KIND_COLOURS[kind - 1], label=str(kind))
+                       for kind in self.colouring.kinds if 0 < kind <= len(KIND_COLOURS)]
+            figure.legend(handles=handles, loc="lower center", ncols=len(handles), title=self.run.words(self.colouring.column))
+            figure.get_layout_engine().set(rect=(0.0, 0.1, 1.0, 0.9))
         axis.set(xlim=self.window[:2], ylim=self.window[2:], aspect="equal")
         axis.set_title(" ", loc="left", pad=2)
         figure.canvas.draw()
@@ -237,7 +243,9 @@ def _range(values, symmetric):
     if symmetric:
         high = max(abs(low), abs(high))
         low = -high
-    return (low, high) if high > low else (low - 0.5 * abs(low) - 1e-12, high + 0.5 * abs(high) + 1e-12)
+    if high > low:
+        return low, high
+    return (low - 0.5 * abs(low), low + 0.5 * abs(low)) if low else (0.0, 1.0)
 
 
 def colouring(frames, run, links, wanted, limits):
@@ -248,14 +256,15 @@ def colouring(frames, run, links, wanted, limits):
     else:
         column = wanted or _default_column(frames[0], run)
     if column is None:
-        return Colouring(of=links.kind if links else "particles")
+        return Colouring()
     if column not in tables[0] and not (column == "speed" and "vx" in tables[0]):
         source = links.path.name if links else "the dump"
         raise SeeError(f"{source} has no column {column}; it has: {', '.join(name for name in tables[0] if name not in ('id1', 'id2'))}")
-    found = Colouring(column, of=links.kind if links else "particles")
-    if column in ("type", "mol", "proc") or run.meaning(column)[1] == "piece":
-        return found
+    found = Colouring(column)
     values = np.concatenate([found.values(table) for table in tables])
+    if column in ("type", "mol", "proc") or run.meaning(column)[1] == "piece":
+        found.kinds = tuple(np.unique(values).astype(int))
+        return found
     if values.dtype.kind != "f":
         raise SeeError(f"column {column} has words, not numbers; choose another with --colour")
     values = values[np.isfinite(values)]

@@ -175,7 +175,9 @@ def painted(axes, direction, balls, lines=None, tiles=None):
         tiles = Tiles(tiles.corners[shown], tiles.normals[shown])
         depth["tiles"] = view(tiles.corners.reshape(-1, 3), *direction)[:, 2].reshape(-1, 4).max(axis=1)
     every = np.concatenate(list(depth.values()))
-    edges = np.linspace(every.max(initial=0.0), every.min(initial=0.0), SLABS + 1)[1:-1]
+    if not every.size:
+        return
+    edges = np.linspace(every.max(), every.min(), SLABS + 1)[1:-1]
     slab = {kind: np.searchsorted(-edges, -values) for kind, values in depth.items()}
     for number in range(SLABS):
         level = 1.0 + number / SLABS

@@ -36,8 +36,9 @@ def folder(tmp_path, monkeypatch):
 
 
 def pixels(path, kind):
-    """(x to the right, y up) of the pixels with the hue of a type"""
-    r, g, b = np.asarray(Image.open(path).convert("RGB")).astype(int).transpose(2, 0, 1)
+    """(x to the right, y up) of the pixels with the hue of a type, without the legend"""
+    image = np.asarray(Image.open(path).convert("RGB")).astype(int)
+    r, g, b = image[: int(0.85 * len(image))].transpose(2, 0, 1)
     rows, columns = np.nonzero(HUES[kind](r, g, b))
     return np.column_stack([columns, -rows])
 
@@ -276,6 +277,19 @@ def test_contacts_that_do_not_touch_are_left_out(folder):
     links = see.Seen(see.parse(["run.dump", "--contacts", "c.dump"]))
     ends, table = links.drawn.at(links.frame(0))
     assert ends.tolist() == [[[0, 0, 0], [0.9, 0, 0]]] and table["force"].tolist() == [5.0]
+
+
+@pytest.mark.parametrize("far", [0, 5000])
+def test_a_bond_in_front_of_a_particle_is_seen_and_one_behind_it_is_not(folder, far):
+    """wherever the origin is: the slabs in which is painted are those of what there is. The particle hides two thirds of the bond"""
+    (folder / "b.dump").write_text(bonds_frame(0, [(1, 1, 2, 0.1)]))
+    seen = []
+    for y in (far - 5, far + 5):
+        (folder / "run.dump").write_text(frame(0, [(1, 1, -2, y, 0, 0.6), (2, 1, 2, y, 0, 0.6), (3, 1, 0, far, 0, 2.97)]))
+        see.main(["run.dump", "--bonds", "b.dump", "--view", "0", "0"])
+        r, _, b = np.asarray(Image.open("run.png").convert("RGB")).astype(int)[:600].transpose(2, 0, 1)
+        seen.append(np.sum(b > r + 60))
+    assert seen[0] > 500 and 0.1 * seen[0] < seen[1] < 0.4 * seen[0]
 
 
 @pytest.mark.parametrize("columns, rows, points", [
