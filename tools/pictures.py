@@ -4,11 +4,12 @@
 
 """Draws the pictures on the pages of the scenes, the animation of three of them, and those of docs/see.md.
 
-Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see]      examples/*/*.png, docs/scenes.gif, docs/see*.png, or some of them
+Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see] [recipes]      examples/*/*.png, docs/scenes.gif, docs/see*.png, or some of them
 from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
 """
 
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,7 +22,7 @@ from potdem.progress import Progress
 from potdem.scenes import run_scene
 from potdem.scenes.scene import OUTPUT, Scene
 
-ANIMATION, SEE = "animation", "see"
+ANIMATION, SEE, RECIPES = "animation", "see", "recipes"
 FRAMES, COLOURS = 64, 80
 HEIGHT, DPI = 3.1, 84    # inches, and dots in each
 
@@ -133,11 +134,38 @@ def draw_see(instant="0.036"):
         plot.main([str(log), "--out", str(DOCS / "see-plot.png")])
 
 
+RECIPES_SHOWN = {
+    "packing": ("a random packing", []),
+    "stone": ("a stone from a drawing breaks", ["--colour", "speed", "--at", "0.0012"]),
+    "interface": ("two materials drawn apart", ["--at", "0.0005"]),
+    "crack": ("a crack runs through a plate", ["--view", "0", "90", "--at", "0.0006"]),
+    "press": ("pressed between platens", ["--at", "0.0032"]),
+    "bend": ("bent at three points", ["--view", "15", "10", "--at", "0.0044"]),
+}
+
+
+def draw_recipes(path=EXAMPLES / "recipes" / "recipes.png"):
+    figure, axes = picture.plt.subplots(2, 3, figsize=(picture.WIDTH, 0.75 * picture.WIDTH), dpi=150, layout="constrained")
+    with tempfile.TemporaryDirectory() as folder:
+        for file in [*path.parent.glob("*.lmp"), *path.parent.glob("*.stl")]:
+            shutil.copy(file, folder)
+        for axis, (name, (title, how)) in zip(axes.flat, RECIPES_SHOWN.items()):
+            running.must_run((path.parent / f"in.{name}").read_text(encoding="utf-8"), {}, folder, name=name, log=f"log.{name}")
+            still = Path(folder) / f"{name}.png"
+            see.main([str(Path(folder) / f"{name}.dump"), "--log", str(Path(folder) / f"log.{name}"), *how, "--still", str(still)])
+            axis.imshow(picture.plt.imread(still))
+            axis.set_axis_off()
+            axis.set_title(title, fontsize="medium")
+    figure.savefig(path)
+    picture.shrink(path, path)
+    print(path)
+
+
 def main(*chosen):
     scenes = {drawn.scene for drawn in PICTURES}
-    unknown = set(chosen) - {*scenes, ANIMATION, SEE}
+    unknown = set(chosen) - {*scenes, ANIMATION, SEE, RECIPES}
     if unknown:
-        sys.exit(f"no pictures of {', '.join(sorted(unknown))}; there are: {', '.join(sorted(scenes))}, {ANIMATION}, {SEE}")
+        sys.exit(f"no pictures of {', '.join(sorted(unknown))}; there are: {', '.join(sorted(scenes))}, {ANIMATION}, {SEE}, {RECIPES}")
     for drawn in PICTURES:
         if not chosen or drawn.scene in chosen:
             drawn.draw()
@@ -145,6 +173,8 @@ def main(*chosen):
         animate(DOCS / "scenes.gif")
     if not chosen or SEE in chosen:
         draw_see()
+    if not chosen or RECIPES in chosen:
+        draw_recipes()
 
 
 if __name__ == "__main__":

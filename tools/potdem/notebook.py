@@ -26,7 +26,8 @@ def notebook(script):
     """in Jupyter's format 4.5, without outputs"""
     listed = []
     for number, (text, body) in enumerate(cells(script)):
-        cell = {"cell_type": "markdown" if text else "code", "id": f"cell-{number}", "metadata": {}, "source": body.splitlines(keepends=True)}
+        cell = {"cell_type": "markdown" if text else "code", "id": f"cell-{number}", "metadata": {},
+                "source": body.splitlines(keepends=True)}
         listed.append(cell if text else {**cell, "execution_count": None, "outputs": []})
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": listed, "metadata": {"kernelspec": kernel, "language_info": {"name": "python"}}, "nbformat": 4, "nbformat_minor": 5}

@@ -1,8 +1,8 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""LAMMPS with the package, driven from Python: commands in, NumPy arrays out. `tools/python FILE` sets the paths; by hand PYTHONPATH must have this
-folder's parent and the folder of LAMMPS's module `lammps`, and LD_LIBRARY_PATH that of liblammps.so.
+"""LAMMPS with the package, driven from Python: commands in, NumPy arrays out. `tools/python FILE` sets the paths; by hand
+PYTHONPATH must have this folder's parent and the folder of LAMMPS's module `lammps`, and LD_LIBRARY_PATH that of liblammps.so.
 
     from potdem.simulation import Simulation
 

@@ -32,8 +32,8 @@ def slope(x, y):
 
 @pytest.mark.parametrize("rate, strain", [(0.1, 5e-5), (-0.1, -5e-5)])
 def test_modulus_between_clamps(recipe, rate, strain):
-    """stiffer than E by what the clamps hold sideways: a sixth of the length, where up to E/(1 - nu^2) = 1.067 E counts, for nu = 1/4; and the area
-    body's own 1 %. The rows are of a body that swings a little about its mean"""
+    """stiffer than E by what the clamps hold sideways: a sixth of the length, where up to E/(1 - nu^2) = 1.067 E counts, for nu = 1/4;
+    and the area body's own 1 %. The rows are of a body that swings a little about its mean"""
     thermo = recipe("pull", rate=rate, strain=strain).thermo
     modulus = slope(thermo["v_strain_now"], thermo["v_stress"])
     assert 0.99 * E < modulus < (1 + 0.067 / 6 + 0.02) * E
