@@ -57,6 +57,16 @@ def test_modulus_between_platens(recipe, nprocs):
     assert thermo["Bonds"][-1] == thermo["Bonds"][0]
 
 
+def test_triaxial(recipe):
+    """10 MPa from all sides, held on four while the cube is pressed on; eight particles read 6 % stiff between platens (see the page)"""
+    thermo = recipe("triaxial", strain=2e-4, tension=3e9).thermo
+    shear = thermo["v_shortening"] > 0
+    start = np.flatnonzero(shear)[0] - 1
+    assert thermo["v_stress"][start] == pytest.approx(1e7, rel=0.01)
+    assert thermo["v_lateral"][start:] == pytest.approx(1e7, rel=0.02)
+    assert E < slope(thermo["v_shortening"][shear], thermo["v_stress"][shear]) < 1.08 * E
+
+
 def test_bending(recipe):
     """F L^3/(48 E I) (1 + 2.85 (h/L)^2 - 0.84 (h/L)^3): a beam under a single load, with shear and what the load does below it (J. Wilson
     and G. Stokes 1891, in S. Timoshenko and J. Goodier, Theory of Elasticity, for nu = 0.3); the beam swings"""
