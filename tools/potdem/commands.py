@@ -60,10 +60,11 @@ class Wall:
 
 @dataclass
 class Region:
-    """words: its style and what follows; scale: length of a lattice spacing along x, y, z, if it counts in these"""
+    """words: its style and what follows; scale: length of a lattice spacing along x, y, z, if it counts in these; folder: of the log"""
 
     words: list
     scale: np.ndarray
+    folder: Path = Path()
 
 
 @dataclass
@@ -178,7 +179,7 @@ def _take(found, words, spacing, step):
         found.dumps.append(words)
     elif len(words) > 2 and words[0] == "region":
         box = words[words.index("units") + 1] == "box" if "units" in words[:-1] else False
-        found.regions[words[1]] = Region(words[2:], np.ones(3) if box else spacing)
+        found.regions[words[1]] = Region(words[2:], np.ones(3) if box else spacing, found.path.parent if found.path else Path())
     elif len(words) > 3 and words[0] == "fix":
         found.fixes[words[1]] = words[3:]
         _end_wall(found, words[1], step)

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from potdem import stl
+
 TILES, ROUND = 24, 96    # of a flat face along its longer side, of a circle
 AXES = {"x": 0, "y": 1, "z": 2}
 
@@ -34,6 +36,8 @@ class Room:
 
 def surface(name, regions, room, shift=(0.0, 0.0, 0.0)):
     """(tiles, normals), shapes (n, 4, 3) and (n, 3), of the region of that ID; shift: how far it has moved"""
+    if regions[name].words[0] == "potdem/mesh":
+        return _of_mesh(regions[name], np.asarray(shift))
     tiles = np.concatenate([np.zeros((0, 4, 3)), *_tiles(name, regions, room, np.asarray(shift))])
     tiles = tiles[room.holds(tiles.mean(axis=1))]
     normals = np.cross(tiles[:, 2] - tiles[:, 0], tiles[:, 3] - tiles[:, 1])
@@ -133,6 +137,26 @@ def _tiles(name, regions, room, shift):
         yield _between(numbers[:3] + shift + numbers[3] * direction)
     else:
         yield from _of_cylinder(numbers, room, shift)
+
+
+def _of_mesh(region, shift):
+    """all its triangles, as tiles whose last corner is double; a sheet, which has no inside, from both sides"""
+    file, *words = region.words[1:]
+    try:
+        corners = stl.read(region.folder / file)
+    except (OSError, ValueError) as problem:
+        raise NotDrawn(f"region of triangles from {file} ({problem})") from None
+    scale = float(words[words.index("scale") + 1]) if words[:1] == ["scale"] else 1.0
+    corners = scale * region.scale * corners + shift
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    volume = np.einsum("ij,ij->", corners[:, 0] - corners[0, 0], normals) / 6
+    size = np.linalg.norm(normals, axis=1)
+    corners, normals = corners[size > 0], normals[size > 0] / size[size > 0, None]
+    tiles = corners[:, [0, 1, 2, 2]]
+    if not stl.is_closed(corners):
+        return np.concatenate([tiles, tiles]), np.concatenate([normals, -normals])
+    outside = "side" in words[:-1] and words[words.index("side") + 1] == "out"
+    return tiles, normals if outside == (volume > 0) else -normals
 
 
 def _between(grid):

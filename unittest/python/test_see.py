@@ -13,7 +13,7 @@ import pytest
 import vtk_files
 from PIL import Image
 
-from potdem import commands, dumps, logs, look, plot, regions, running, see
+from potdem import commands, dumps, logs, look, plot, regions, running, see, stl
 from potdem.paths import DOCS, ROOT
 from potdem.text import replaced
 
@@ -127,6 +127,39 @@ def test_walls_behind_the_particles_are_drawn(folder, walls, drawn):
         (folder / "run.dump").write_text(frame(20, [(1, 2, 0, 0, -1.5, 0.5), (2, 2, 3, 0, 1, 0.5)]))
     see.main(["run.dump", "--view", "0", "45"])
     assert (grey_share("run.png") > 0.1) == drawn
+
+
+@pytest.mark.parametrize("binary", [True, False])
+@pytest.mark.parametrize("side", ["in", "out"])
+def test_triangles_are_drawn_as_the_block_that_they_make(folder, side, binary):
+    """the areas of its faces, in millimetres, by their normals to the side of the particles; a sheet has both"""
+    stl.write(folder / "box.stl", stl.box([-2000, -2000, -2000], [4000, 2000, 2000], 3), binary)
+    stl.write(folder / "sheet.stl", stl.rectangle([-2, -2, -2], [6, 0, 0], [0, 4, 0]), binary)
+    (folder / "log.lammps").write_text(log_of(f"region b block -2 4 -2 2 -2 2 side {side} units box",
+                                              f"region m potdem/mesh box.stl scale 0.001 side {side} units box",
+                                              "region s potdem/mesh sheet.stl units box"))
+    found = commands.of_log(folder / "log.lammps").regions
+    room = regions.Room(np.array([-9.0, -9, -9]), np.array([9.0, 9, 9]))
+
+    def areas(name):
+        tiles, normals = regions.surface(name, found, room)
+        each = 0.5 * np.linalg.norm(np.cross(tiles[:, 2] - tiles[:, 0], tiles[:, 3] - tiles[:, 1]), axis=1)
+        return {tuple(face): each[np.all(np.isclose(normals, face), axis=1)].sum() for face in (*np.eye(3), *-np.eye(3))}
+
+    assert sorted(areas("b").values()) == pytest.approx([16, 16, 24, 24, 24, 24])
+    assert areas("m") == pytest.approx(areas("b"), rel=1e-6)
+    assert areas("s") == pytest.approx({**dict.fromkeys(areas("b"), 0.0), (0, 0, 1): 24, (0, 0, -1): 24})
+
+
+@pytest.mark.parametrize("binary", [True, False])
+def test_stl_files_are_read_as_they_were_written(folder, binary):
+    ball = stl.sphere([0.5, 1, 2], 3, 4)
+    stl.write(folder / "ball.stl", ball, binary)
+    assert np.max(abs(stl.read(folder / "ball.stl") - ball)) < (1e-6 if binary else 1e-300)
+    assert stl.is_closed(ball) and not stl.is_closed(ball[1:])
+    (folder / "none.stl").write_text("nothing")
+    with pytest.raises(ValueError, match="no STL file"):
+        stl.read(folder / "none.stl")
 
 
 def test_a_wall_on_edge_is_a_line_where_it_is(folder):
