@@ -9,7 +9,8 @@ include(LAMMPSFetch)
 set(LAMMPS_SOURCE_DIR "" CACHE PATH "LAMMPS source tree to build with (empty: fetch one)")
 set(POTDEM_OLDEST_LAMMPS 20250204)
 set(POTDEM_LAMMPS_PACKAGES MOLECULE BPM PLUGIN OPENMP)
-set(POTDEM_PEER_PACKAGES GRANULAR)    # for comparisons (bench); left out where the tree lacks them
+# for comparisons (GRANULAR) and for scripts (clumps, servo control, images, cells); left out where the tree lacks them
+set(POTDEM_PEER_PACKAGES GRANULAR RIGID EXTRA-FIX EXTRA-DUMP)
 
 # "4 Feb 2025" in src/version.h becomes 20250204; both are empty where there is no such file
 function(potdem_lammps_version tree version date)

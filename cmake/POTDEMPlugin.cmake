@@ -8,9 +8,12 @@
 function(potdem_shared_object target)
   set_target_properties(${target} PROPERTIES PREFIX "" SUFFIX .so
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR} CXX_VISIBILITY_PRESET hidden
-    VISIBILITY_INLINES_HIDDEN ON)
+    VISIBILITY_INLINES_HIDDEN ON INSTALL_RPATH "")
   # keeps calls within the plugin when its styles are compiled into the host as well
   target_link_options(${target} PRIVATE -Wl,-Bsymbolic)
+  # a LAMMPS without the package OPENMP lacks functions that only the styles /omp call (plugin.cpp)
+  target_link_options(${target} PRIVATE -Wl,-z,lazy)
+  target_compile_definitions(${target} PRIVATE POTDEM_VERSION="${PROJECT_VERSION}")
   potdem_compile_settings(${target})
 endfunction()
 
@@ -23,7 +26,8 @@ function(potdem_plugin target styles version)
   add_dependencies(${target} ${styles})
 endfunction()
 
-add_library(potdemstyles MODULE ${PROJECT_SOURCE_DIR}/src/lammps/plugin_styles.cpp ${POTDEM_SOURCES})
+potdem_sources(sources)
+add_library(potdemstyles MODULE ${PROJECT_SOURCE_DIR}/src/lammps/plugin_styles.cpp ${sources})
 potdem_shared_object(potdemstyles)
 target_compile_definitions(potdemstyles PRIVATE POTDEM_PLUGIN_LAMMPS_VERSION="${POTDEM_LAMMPS_VERSION}")
 potdem_plugin(potdemplugin potdemstyles ${POTDEM_LAMMPS_VERSION})

@@ -12,8 +12,8 @@ export POTDEM_PYTHON=/usr/bin/python3
 # the Python package that examples, tests, benchmarks and tools share: tools/potdem
 export PYTHONPATH=$POTDEM_ROOT/tools${PYTHONPATH:+:$PYTHONPATH}
 POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev libgmock-dev libyaml-dev
-                 curl ca-certificates python3 python3-numpy python3-scipy python3-matplotlib python3-yaml
-                 python3-pytest)
+                 libpng-dev libjpeg-dev voro++-dev ffmpeg curl ca-certificates python3 python3-numpy
+                 python3-scipy python3-matplotlib python3-yaml python3-pytest)
 
 die() {
   printf '%s\n' "$*" >&2

@@ -7,7 +7,6 @@
 Usage: tools/python tools/howto_grains.py      writes docs/howto_grains.png
 """
 
-import re
 import tempfile
 from pathlib import Path
 
@@ -16,6 +15,7 @@ import numpy as np
 from potdem import dumps, picture, running
 from potdem.picture import plt
 from potdem.paths import DOCS
+from potdem.scripts import of_page
 from potdem.text import replaced
 
 PAGE = DOCS / "howto_grains.md"
@@ -26,8 +26,7 @@ LONG, TOP = 0.143, 0.15    # m, of the base and of the picture
 
 
 def scripts():
-    """name -> text, in the order of the page"""
-    return dict(re.findall(r"^`(\w+\.lmp)`\n\n```LAMMPS\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL))
+    return of_page(PAGE)
 
 
 def draw(axis, frame, text):

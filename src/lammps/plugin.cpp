@@ -23,7 +23,8 @@ const char *const remedy = "Build the plugin for this LAMMPS: cmake --preset def
 void warn(void *lmp, const std::string &text)
 {
   if (lammps_extract_setting(lmp, "world_rank") == 0)
-    lammps_error(lmp, LMP_ERROR_WARNING, ("POTDEM plugin not loaded: " + text).c_str());
+    lammps_error(lmp, LMP_ERROR_WARNING,
+                 ("POTDEM " POTDEM_VERSION " plugin not loaded: " + text).c_str());
 }
 
 bool same_version(void *lmp)
@@ -48,6 +49,14 @@ bool same_integers(void *lmp)
   return false;
 }
 
+// the one package of LAMMPS, beside its core, without which no style can work
+bool has_bonded_particles(void *lmp)
+{
+  if (lammps_config_has_package("BPM")) return true;
+  warn(lmp, "this LAMMPS lacks the package BPM. Build it with -D PKG_BPM=on");
+  return false;
+}
+
 std::string beside_this_file(const char *name)
 {
   Dl_info here;
@@ -62,16 +71,17 @@ std::string beside_this_file(const char *name)
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *regfunc)
 {
-  if (!same_version(lmp) || !same_integers(lmp)) return;
+  if (!same_version(lmp) || !same_integers(lmp) || !has_bonded_particles(lmp)) return;
 
-  void *styles = dlopen(beside_this_file(POTDEM_PLUGIN_STYLES).c_str(), RTLD_NOW | RTLD_LOCAL);
+  // without the package OPENMP the styles /omp are not registered, and nobody calls what is missing
+  const int when = lammps_config_has_package("OPENMP") ? RTLD_NOW : RTLD_LAZY;
+  void *styles = dlopen(beside_this_file(POTDEM_PLUGIN_STYLES).c_str(), when | RTLD_LOCAL);
   void *init = styles ? dlsym(styles, "potdem_register_styles") : nullptr;
   if (!init) {
     warn(lmp,
          std::string(dlerror()) +
              ". " POTDEM_PLUGIN_STYLES
-             " must lie beside the plugin, and LAMMPS must have the packages "
-             "MOLECULE, BPM and OPENMP");
+             " must lie beside the plugin, and both must be built for this LAMMPS");
     return;
   }
   reinterpret_cast<lammpsplugin_initfunc>(init)(lmp, handle, regfunc);

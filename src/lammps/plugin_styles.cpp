@@ -8,6 +8,7 @@
 #include "lammps/potdem_styles.h"
 
 #include "lammpsplugin.h"
+#include "library.h"
 
 #include "bond.h"
 #include "command.h"
@@ -15,6 +16,7 @@
 #include "fix.h"
 #include "pair.h"
 #include "region.h"
+#include "utils.h"
 
 using namespace LAMMPS_NS;
 
@@ -33,7 +35,8 @@ template <class Base, class Style> Base *create_with_args(LAMMPS *lmp, int narg,
 class Registration {
  public:
   Registration(void *lmp, void *handle, void *regfunc) :
-      lmp(lmp), handle(handle), regfunc(reinterpret_cast<lammpsplugin_regfunc>(regfunc))
+      lmp(lmp), handle(handle), regfunc(reinterpret_cast<lammpsplugin_regfunc>(regfunc)),
+      openmp(lammps_config_has_package("OPENMP"))
   {
   }
 
@@ -42,7 +45,7 @@ class Registration {
   {
     auto plugin = entry(style, name);
     plugin.creator.v1 = reinterpret_cast<lammpsplugin_factory1 *>(creator);
-    regfunc(&plugin, lmp);
+    show(plugin);
   }
 
   template <class Base>
@@ -50,7 +53,7 @@ class Registration {
   {
     auto plugin = entry(style, name);
     plugin.creator.v2 = reinterpret_cast<lammpsplugin_factory2 *>(creator);
-    regfunc(&plugin, lmp);
+    show(plugin);
   }
 
  private:
@@ -61,13 +64,19 @@ class Registration {
     plugin.style = style;
     plugin.name = name;
     plugin.info = name;
-    plugin.author = "POTDEM";
+    plugin.author = "POTDEM " POTDEM_VERSION;
     plugin.handle = handle;
     return plugin;
   }
 
+  void show(lammpsplugin_t &plugin) const
+  {
+    if (openmp || !utils::strmatch(plugin.name, "/omp$")) regfunc(&plugin, lmp);
+  }
+
   void *lmp, *handle;
   lammpsplugin_regfunc regfunc;
+  bool openmp;    // a package of this LAMMPS
 };
 
 }    // namespace

