@@ -16,7 +16,7 @@ from potdem import logs, scripts
 
 pytestmark = pytest.mark.built_in
 
-VARIANT = "i-5"    # of beam-impact: the beam breaks
+VARIANT = "i-3"    # of beam-impact
 
 
 def output_of(*command, folder=None):
