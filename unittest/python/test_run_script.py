@@ -73,6 +73,13 @@ def test_a_script_runs_in_its_folder_and_is_shown(run, ranks):
     assert float(last[2]) == pytest.approx(2.0 * float(last[1]) if last[1] == "1" else 4.0)
 
 
+def test_a_dump_at_the_end_is_shown(run):
+    text = replaced(SCRIPT, "dump see all custom 20 fall.dump id type x y z radius\n", "")
+    (run.folder / "in.fall").write_text(text + "write_dump all custom end.dump id type x y z radius\n")
+    done = run("mine/in.fall")
+    assert done.returncode == 0 and str(run.folder / "end.png") in done.stdout, done.stdout
+
+
 def test_a_folder_with_one_script_will_do(run):
     done = run("mine", "--animate", "--paraview")
     assert done.returncode == 0, done.stdout

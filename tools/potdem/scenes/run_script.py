@@ -59,8 +59,9 @@ def show(folder, arguments):
     wishes = [option for option, wanted in (("--film", arguments.animate), ("--vtk", arguments.paraview)) if wanted]
     shown = False
     for words in commands.of_log(folder / LOG).dumps:
-        file = folder / words[5] if words[0] == "dump" else folder / words[3]
-        if words[0] == "dump" and words[3] in ("custom", "atom") and file.exists():
+        style, name = (words[3], words[5]) if words[0] == "dump" else words[2:4]
+        file = folder / name
+        if style in ("custom", "atom") and file.exists():
             shown = True
             try:
                 see.main([str(file), "--log", str(folder / LOG), "--still", *wishes])
