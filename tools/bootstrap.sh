@@ -1,7 +1,7 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-# Sourced by examples/run, unittest/run, bench/run, tools/report and tools/python: says where Python finds this
+# Sourced by examples/run, unittest/run, bench/run, tools/report, tools/manual and tools/python: says where Python finds this
 # project's package, installs what is missing and builds.
 # The Debian packages are named here and nowhere else.
 # shellcheck shell=bash
@@ -14,6 +14,9 @@ export PYTHONPATH=$POTDEM_ROOT/tools${PYTHONPATH:+:$PYTHONPATH}
 POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev libgmock-dev libyaml-dev
                  libpng-dev libjpeg-dev voro++-dev ffmpeg curl ca-certificates python3 python3-numpy
                  python3-scipy python3-matplotlib python3-yaml python3-pytest)
+# for tools/manual alone, the second for its --pdf
+POTDEM_MANUAL_PACKAGES=(python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax)
+POTDEM_PDF_PACKAGES=(chromium)
 
 die() {
   printf '%s\n' "$*" >&2

@@ -1,0 +1,74 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""The manual: what Sphinx makes of the Markdown pages where they lie. tools/manual runs it; contents.md has the order."""
+
+import shutil
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path.insert(0, str(HERE))
+
+import lammps_lexer  # noqa: E402
+
+project = "POTDEM"
+author = "the authors of POTDEM"
+copyright = "the authors; GNU General Public License, version 2"
+html_title = "POTDEM"
+html_theme = "furo"
+
+extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton"]
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 4
+root_doc = "docs/manual/contents"
+include_patterns = ["README.md", "CONTRIBUTING.md", "docs/**.md", "examples/*/README.md"]
+exclude_patterns = ["build*", "src", ".git"]
+suppress_warnings = ["myst.header"]    # the contents go from a title to the parts of it
+
+highlight_language = "none"
+html_show_sphinx = False
+html_copy_source = False
+html_show_sourcelink = False
+
+# the formulas are drawn by Debian's MathJax, of which a copy comes with the site: it needs no network
+MATHJAX = Path("/usr/share/javascript/mathjax")
+MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_SVG.js", "extensions", "jax/element", "jax/input/TeX", "jax/output/SVG/*.js",
+                 "jax/output/SVG/autoload", "jax/output/SVG/fonts/TeX"]
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
+mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "processEscapes": True}, "showMathMenu": False, "messageStyle": "none"}
+
+INDEX = """<!DOCTYPE html>
+<html><head><meta charset="utf-8"><title>POTDEM</title><meta http-equiv="refresh" content="0; url=docs/manual/contents.html"></head>
+<body><a href="docs/manual/contents.html">POTDEM</a></body></html>
+"""
+
+
+def folder(app, env, node, text):
+    """links to folders, which a site has not, are words"""
+    if (Path(env.srcdir) / node["refdoc"]).parent.joinpath(node["reftarget"]).is_dir():
+        return text
+    return None
+
+
+def complete(app, failure):
+    """what Sphinx does not make: MathJax, and a first page at the top"""
+    if failure or app.builder.format != "html":
+        return
+    out = Path(app.outdir)
+    for pattern in MATHJAX_PARTS:
+        for part in MATHJAX.glob(pattern):
+            copy = out / "_static" / "mathjax" / part.relative_to(MATHJAX)
+            if part.is_dir():
+                shutil.copytree(part, copy, dirs_exist_ok=True)
+            else:
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(part, copy)
+    (out / "index.html").write_text(INDEX, encoding="utf-8")
+
+
+def setup(app):
+    app.add_lexer("LAMMPS", lammps_lexer.LammpsLexer)
+    app.connect("missing-reference", folder)
+    app.connect("build-finished", complete)
