@@ -3,6 +3,7 @@
 
 """The manual: what Sphinx makes of the Markdown pages where they lie. tools/manual runs it; contents.md has the order."""
 
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -37,7 +38,8 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_SVG.js", "extensions", "jax/element", "jax/input/TeX", "jax/output/SVG/*.js",
                  "jax/output/SVG/autoload", "jax/output/SVG/fonts/TeX"]
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
-mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "processEscapes": True}, "showMathMenu": False, "messageStyle": "none"}
+mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "processClass": "math"}, "showMathMenu": False, "messageStyle": "none"}
+myst_update_mathjax = False    # it speaks to MathJax 3
 
 INDEX = """<!DOCTYPE html>
 <html><head><meta charset="utf-8"><title>POTDEM</title><meta http-equiv="refresh" content="0; url=docs/manual/contents.html"></head>
@@ -53,7 +55,7 @@ def folder(app, env, node, text):
 
 
 def complete(app, failure):
-    """what Sphinx does not make: MathJax, and a first page at the top"""
+    """what Sphinx does not make: MathJax, furo's script, and a first page at the top"""
     if failure or app.builder.format != "html":
         return
     out = Path(app.outdir)
@@ -65,6 +67,10 @@ def complete(app, failure):
             else:
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(part, copy)
+    # Debian's furo comes with two files that are meant to be joined
+    scripts = out / "_static" / "scripts"
+    joined = [(scripts / name).read_text(encoding="utf-8") for name in ("gumshoe-patched.js", "furo.js")]
+    (scripts / "furo.js").write_text("\n".join(re.sub(r"^import .*\n", "", text) for text in joined), encoding="utf-8")
     (out / "index.html").write_text(INDEX, encoding="utf-8")
 
 
