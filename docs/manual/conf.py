@@ -75,6 +75,7 @@ def complete(app, failure):
 
 
 def setup(app):
+    app.set_html_assets_policy("always")    # MathJax on the one page of all, too, whose own text has no formula
     app.add_lexer("LAMMPS", lammps_lexer.LammpsLexer)
     app.connect("missing-reference", folder)
     app.connect("build-finished", complete)
