@@ -1,0 +1,48 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""docs/errors.md: is what tools/errors.py makes of the sources now, and has what LAMMPS says."""
+
+import re
+import sys
+
+import pytest
+
+from potdem.paths import DOCS, ROOT
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+import errors  # noqa: E402
+
+ROWS = [re.sub(r"\\(.)", r"\1", line[2:]) for line in (DOCS / "errors.md").read_text(encoding="utf-8").splitlines() if line.startswith("* ")]
+HEAD = """units si
+atom_style bpm/sphere
+boundary f f f
+region box block -1 1 -1 1 -1 1
+create_box 1 box bond/types 1
+create_atoms 1 single 0 0 0
+create_atoms 1 single 0.5 0 0
+"""
+PAIR = "set group all diameter 0.5 mass 1\npair_style potdem/hertz\npair_coeff * * 1e6 0.3\n"
+WRONG = ["set group all diameter 0\npotdem_bonds all 1 0.6\n", PAIR + "potdem_bonds all 1 0.1\n", PAIR + "fix wall all potdem/wall/region nowhere law hertz 1e6 0.3\n",
+         "pair_style potdem/hertz\npair_coeff * * none.potdem steel\n", PAIR + "compute e all potdem/energy\ncompute f all potdem/energy\n",
+         PAIR + "fix fail all potdem/failure 1\n", "pair_style potdem/hertz\npair_coeff * * 1e6 0.3 rolling 0.1 0.1 0.1\n"]
+
+
+def test_page_is_up_to_date():
+    assert (DOCS / "errors.md").read_text(encoding="utf-8") == errors.page(), "tools/python tools/errors.py makes it anew"
+
+
+def test_page_has_a_message_of_each_file_that_stops():
+    """counted by lines of the sources, not by the reader of calls"""
+    for path in errors.SOURCES.rglob("*.cpp"):
+        text = path.read_text(encoding="utf-8")
+        if re.search(r'error->(all|one)\([^;"]*"[^"{}]{9}', text):
+            assert errors.messages(path), path
+    assert len(ROWS) > 100 and all(re.search("[a-z]{2}", row) for row in ROWS)
+
+
+@pytest.mark.parametrize("commands", WRONG)
+def test_what_lammps_says_is_on_the_page(run_lammps, commands):
+    said = " ".join(run_lammps(HEAD + commands, expect_error="").error.split())
+    assert [row for row in ROWS if re.search(".*".join(re.escape(part) for part in row.split("…")), said)], said
