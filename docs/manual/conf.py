@@ -24,7 +24,7 @@ extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 root_doc = "docs/manual/contents"
-include_patterns = ["README.md", "CONTRIBUTING.md", "docs/**.md", "examples/*/README.md"]
+include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**.md", "examples/*/README.md"]
 exclude_patterns = ["build*", "src", ".git"]
 suppress_warnings = ["myst.header"]    # the contents go from a title to the parts of it
 

@@ -13,7 +13,7 @@ import pytest
 from potdem.paths import DOCS, ROOT
 
 MANUAL = DOCS / "manual"
-PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *DOCS.glob("*.md"), *DOCS.glob("report/*.md"), *ROOT.glob("examples/*/README.md")])
+PAGES = sorted([*ROOT.glob("*.md"), *DOCS.glob("*.md"), *DOCS.glob("report/*.md"), *ROOT.glob("examples/*/README.md")])
 PARTS = ["Begin", "How to", "Bodies and bonds", "Contacts and grains", "Walls", "Output and time step", "Examples", "Reports",
          "Background and for developers"]
 WITH_FORMULAS = ["area", "fix_potdem_wall_region"]
