@@ -25,14 +25,16 @@ GROUPS = [
     ("bond_style potdem/truss", "bond_potdem_truss.md", ["bond_potdem", "potdem_bond_area", "potdem_body_area", "potdem_lattice_area"]),
     ("fix potdem/failure", "fix_potdem_failure.md", ["fix_potdem_failure", "potdem_bond_strengths"]),
     ("pair styles", "pair_potdem_truss.md", ["pair_potdem", "fix_potdem_contacts", "potdem_pair_lists"]),
-    ("friction and restitution, of pair styles and walls", "pair_potdem_truss.md#friction-and-rotation", ["potdem_friction", "potdem_rate"]),
+    ("friction and restitution, of pair styles and walls", "pair_potdem_truss.md#friction-and-rotation",
+     ["potdem_friction", "potdem_rate"]),
     ("fix potdem/wall/region", "fix_potdem_wall_region.md", ["fix_potdem_wall", "potdem_wall"]),
     ("region potdem/mesh", "region_potdem_mesh.md", ["region_potdem_mesh", "potdem_stl"]),
     ("material files and potdem_material", "materials.md", ["potdem_material"]),
     ("computes, fix potdem/damping and fix potdem/timestep", "index.md",
      ["compute_potdem", "fix_potdem_damping", "fix_potdem_timestep", "fix_potdem_ledger", "fix_potdem_reference", "potdem_stiffness"]),
     ("warnings and what is kept in step", "warnings.md", ["fix_potdem_monitor", "fix_potdem_refresh"]),
-    ("every command", "index.md", ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "plugin"]),
+    ("every command", "index.md",
+     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "plugin"]),
 ]
 
 HEAD = """# Errors

@@ -19,6 +19,8 @@ author = "the authors of POTDEM"
 copyright = "the authors; GNU General Public License, version 2"
 html_title = "POTDEM"
 html_theme = "furo"
+html_static_path = ["static"]
+html_css_files = ["print.css"]
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton"]
 myst_enable_extensions = ["dollarmath"]

@@ -14,7 +14,8 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 import errors  # noqa: E402
 
-ROWS = [re.sub(r"\\(.)", r"\1", line[2:]) for line in (DOCS / "errors.md").read_text(encoding="utf-8").splitlines() if line.startswith("* ")]
+PAGE = (DOCS / "errors.md").read_text(encoding="utf-8")
+ROWS = [re.sub(r"\\(.)", r"\1", line[2:]) for line in PAGE.splitlines() if line.startswith("* ")]
 HEAD = """units si
 atom_style bpm/sphere
 boundary f f f
@@ -24,13 +25,14 @@ create_atoms 1 single 0 0 0
 create_atoms 1 single 0.5 0 0
 """
 PAIR = "set group all diameter 0.5 mass 1\npair_style potdem/hertz\npair_coeff * * 1e6 0.3\n"
-WRONG = ["set group all diameter 0\npotdem_bonds all 1 0.6\n", PAIR + "potdem_bonds all 1 0.1\n", PAIR + "fix wall all potdem/wall/region nowhere law hertz 1e6 0.3\n",
+WRONG = ["set group all diameter 0\npotdem_bonds all 1 0.6\n", PAIR + "potdem_bonds all 1 0.1\n",
+         PAIR + "fix wall all potdem/wall/region nowhere law hertz 1e6 0.3\n",
          "pair_style potdem/hertz\npair_coeff * * none.potdem steel\n", PAIR + "compute e all potdem/energy\ncompute f all potdem/energy\n",
          PAIR + "fix fail all potdem/failure 1\n", "pair_style potdem/hertz\npair_coeff * * 1e6 0.3 rolling 0.1 0.1 0.1\n"]
 
 
 def test_page_is_up_to_date():
-    assert (DOCS / "errors.md").read_text(encoding="utf-8") == errors.page(), "tools/python tools/errors.py makes it anew"
+    assert PAGE == errors.page(), "tools/python tools/errors.py makes it anew"
 
 
 def test_page_has_a_message_of_each_file_that_stops():

@@ -13,8 +13,8 @@ from potdem.paths import DOCS
 from potdem.text import replaced
 
 BLOCK = re.compile(r"^`(\w+\.lmp)`\n\n```LAMMPS\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-NAMES = {"body": ["bar"], "walls": ["piston", "shaker", "drum"], "parallel": ["balance"], "translate": ["bpm", "truss", "granular", "hertz"],
-         "mixed": ["mixed"]}
+NAMES = {"body": ["bar"], "walls": ["piston", "shaker", "drum"], "parallel": ["balance"],
+         "translate": ["bpm", "truss", "granular", "hertz"], "mixed": ["mixed"]}
 
 
 def scripts(page):
@@ -39,7 +39,8 @@ def test_every_block_is_a_script_with_a_name(page):
     assert [f"{name}.lmp" for name in NAMES[page]] == list(scripts(page))
 
 
-@pytest.mark.parametrize("words, row", [({}, (0.80, 1.014, 0.96)), ({"area": "lattice"}, (0.94, 0.909, 0.90)), ({"reach": 1.42}, (0.67, 1.008, 1.00))])
+@pytest.mark.parametrize("words, row", [({}, (0.80, 1.014, 0.96)), ({"area": "lattice"}, (0.94, 0.909, 0.90)),
+                                        ({"reach": 1.42}, (0.67, 1.008, 1.00))])
 def test_bar_has_the_numbers_of_the_table(run_lammps, words, row):
     """rounded as printed; the strength is that of the first bonds of a brittle bar. The modulus: the solid's, within what area body and
     its beams of five particles are worth; area lattice: 0.908 of area.md"""
@@ -112,7 +113,7 @@ def test_grain_of_granular_and_of_hertz(run):
     assert ours["c_mean[2]"][6] == pytest.approx(0.239, abs=0.0005)
     assert ours["c_mean[3]"][-1] == pytest.approx(43.8, abs=0.1)
     assert theirs["c_mean[3]"][-1] == pytest.approx(41.5, abs=0.1)
-    # half of the speed of a fall by 15 mm, less gravity since it left; an elastic contact after Hertz, and half as long again for its dashpot
+    # half of the speed of a fall by 15 mm, less gravity since it left. Contact: an elastic one after Hertz, up to half as long again
     fall, mass, radius, modulus = np.sqrt(2 * 9.81 * 0.015), 2500 * np.pi / 6 * 0.01**3, 0.005, 5e6 / (2 * (1 - 0.3**2))
     contact = 2.87 * (mass**2 / (radius * modulus**2 * fall))**0.2
     earliest, latest = (0.5 * fall - 9.81 * (0.06 - fall / 9.81 - factor * contact) for factor in (0.7, 1.5))
