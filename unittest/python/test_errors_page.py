@@ -1,18 +1,14 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""docs/errors.md: is what tools/errors.py makes of the sources now, and has what LAMMPS says."""
+"""docs/errors.md: is what potdem.errors makes of the sources now, and has what LAMMPS says."""
 
 import re
-import sys
 
 import pytest
 
-from potdem.paths import DOCS, ROOT
-
-sys.path.insert(0, str(ROOT / "tools"))
-
-import errors  # noqa: E402
+from potdem import errors
+from potdem.paths import DOCS
 
 PAGE = (DOCS / "errors.md").read_text(encoding="utf-8")
 ROWS = [re.sub(r"\\(.)", r"\1", line[2:]) for line in PAGE.splitlines() if line.startswith("* ")]
@@ -32,7 +28,7 @@ WRONG = ["set group all diameter 0\npotdem_bonds all 1 0.6\n", PAIR + "potdem_bo
 
 
 def test_page_is_up_to_date():
-    assert PAGE == errors.page(), "tools/python tools/errors.py makes it anew"
+    assert PAGE == errors.page(), "tools/python -m potdem.errors makes it anew"
 
 
 def test_page_has_a_message_of_each_file_that_stops():

@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
 """Writes docs/errors.md: every error message of src/lammps, by the command that says it.
 
-Usage: tools/python tools/errors.py
+Usage: tools/python -m potdem.errors
 """
 
 import re
@@ -39,7 +38,7 @@ GROUPS = [
 
 HEAD = """# Errors
 
-Made by `tools/python tools/errors.py` from the sources, with … for what a run fills in. LAMMPS prints `ERROR:` before a message, mostly the command
+Made by `tools/python -m potdem.errors` from the sources, with … for what a run fills in. LAMMPS prints `ERROR:` before a message, mostly the command
 as well, and the line of the script after it. A message says what is wrong and, where there is one, the remedy; the page of the command, linked in each
 heading, says more. What warnings mean is on [a page of its own](warnings.md#warnings). Errors of LAMMPS itself are explained in
 [its manual](https://docs.lammps.org/Errors_messages.html).
@@ -83,7 +82,7 @@ def group_of(path):
     """the group with the longest name with which the file's begins"""
     fitting = [(len(stem), title) for title, _, stems in GROUPS for stem in stems if path.stem.startswith(stem)]
     if not fitting:
-        raise ValueError(f"tools/errors.py: {path} has messages but belongs to no group")
+        raise ValueError(f"potdem.errors: {path} has messages but belongs to no group")
     return max(fitting)[1]
 
 
