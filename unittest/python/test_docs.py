@@ -390,3 +390,24 @@ def test_commands_of_an_example_name_programs_where_they_are(page):
             assert program.exists(), words
         if words[0] == "tools/python":
             assert (ROOT / words[1]).exists(), words
+
+
+# pages with code beyond the Examples of a style, and the test that runs it, whose text has the page's name
+RUN_BY = {
+    "README.md": "test_docs", "developer.md": "test_walk_through", "howto_body.md": "test_howtos",
+    "howto_grains.md": "test_howto_grains", "howto_lammps.md": "test_howto_lammps", "howto_mixed.md": "test_howtos",
+    "howto_parallel.md": "test_howtos", "howto_python.md": "test_simulation", "howto_translate.md": "test_howtos",
+    "howto_walls.md": "test_howtos", "materials.md": "test_materials", "see.md": "test_see", "tutorial.md": "test_docs",
+}
+
+
+def test_every_block_of_code_is_run():
+    """blocks of scripts, Python and C++: none is on a page that no test runs"""
+    found = set()
+    for page in [README, ROOT / "CONTRIBUTING.md", *DOCS.rglob("*.md"), *EXAMPLE_PAGES]:
+        text = re.sub(r"^## Examples\n.*?(?=^## |\Z)", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+        if re.search(r"^```\w+\n", text, re.MULTILINE):
+            found.add(page.name)
+    assert found == set(RUN_BY)
+    for page, test in RUN_BY.items():
+        assert Path(page).stem.removeprefix("howto_") in (Path(__file__).parent / f"{test}.py").read_text(encoding="utf-8"), page
