@@ -13,7 +13,7 @@ export POTDEM_PYTHON=/usr/bin/python3
 export PYTHONPATH=$POTDEM_ROOT/tools${PYTHONPATH:+:$PYTHONPATH}
 POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev libgmock-dev libyaml-dev
                  libpng-dev libjpeg-dev voro++-dev ffmpeg curl ca-certificates python3 python3-numpy
-                 python3-scipy python3-matplotlib python3-yaml python3-pytest)
+                 python3-scipy python3-matplotlib python3-yaml python3-pytest python3-pytest-xdist)
 # for tools/manual alone, the second for its --pdf
 POTDEM_MANUAL_PACKAGES=(python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax)
 POTDEM_PDF_PACKAGES=(chromium)
