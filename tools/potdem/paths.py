@@ -10,7 +10,7 @@ TOOLS = Path(__file__).resolve().parent.parent
 ROOT = TOOLS.parent
 EXAMPLES = ROOT / "examples"
 DOCS = ROOT / "docs"
-SOURCES = (ROOT / "CMakeLists.txt").exists()
+SOURCES = not (TOOLS / "lammps").exists()    # the module that an install puts there
 # what is installed has no build: results go to the folder where a command is started
 BUILD = Path(os.environ.get("POTDEM_BUILD", ROOT / "build" if SOURCES else Path.cwd())).resolve()
 LMP = BUILD / "lmp" if SOURCES else Path(os.environ.get("POTDEM_LMP", "lmp"))
