@@ -121,7 +121,7 @@ def test_what_a_whole_frame_has_is_no_value_of_its_particles(tmp_path):
 def test_pictures_of_the_pages_are_made_by_one_command():
     assert pictures.script_of_see().startswith("units           si")
     paths = [drawn.path for drawn in pictures.PICTURES]
-    assert sorted(paths) == sorted(EXAMPLES.glob("*/*.png"))
+    assert sorted([*paths, EXAMPLES / "recipes" / "recipes.png"]) == sorted(EXAMPLES.glob("*/*.png"))
     for drawn in pictures.PICTURES:
         scene = scenes.Scene(drawn.scene)
         assert (scene.folder / drawn.program.split()[0]).exists()
@@ -129,5 +129,5 @@ def test_pictures_of_the_pages_are_made_by_one_command():
 
 
 def test_an_unknown_scene_has_no_picture():
-    with pytest.raises(SystemExit, match="no pictures of fligth; there are: bar-strength.*animation, see"):
+    with pytest.raises(SystemExit, match="no pictures of fligth; there are: bar-strength.*animation, see, recipes"):
         pictures.main("fligth")
