@@ -18,7 +18,7 @@ class FixPotdemBondHistory;
 class PotdemBondArea {
  public:
   static PotdemBondArea read(class PotdemMaterialInput &, int dimension);
-  std::string text() const;                             // as bond_coeff takes it
+  std::string text() const;                      // as bond_coeff takes it
   void prepare(FixPotdemBondHistory *) const;    // what it will need of it, before Comm::init
 
   // style: for messages and errors, e.g. "bond_style potdem/truss"

@@ -64,11 +64,11 @@ FixPotdemBondHistory *FixPotdemBondHistory::get(LAMMPS *lmp, const std::string &
   auto *const store = find(lmp);
   const std::string gone = store ? store->gone() : STORE_ID;
   if (!gone.empty())
-    lmp->error->all(
-        FLERR,
-        "{}: fix {}, in which the bonds remember their reference lengths and areas, was removed with "
-        "unfix: leave it, or begin anew with the undeformed body",
-        who, gone);
+    lmp->error->all(FLERR,
+                    "{}: fix {}, in which the bonds remember their reference lengths and areas, "
+                    "was removed with "
+                    "unfix: leave it, or begin anew with the undeformed body",
+                    who, gone);
   return store;
 }
 
@@ -89,8 +89,9 @@ std::string FixPotdemBondHistory::gone() const
 /* ---------------------------------------------------------------------- */
 
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
-    FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0), widest(0.0),
-    areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0)
+    FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
+    widest(0.0), areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr),
+    exchanged_width(0)
 {
   setflag = all_types.data();
 }
