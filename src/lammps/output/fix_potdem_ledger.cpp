@@ -55,10 +55,10 @@ void FixPotdemLedger::setup_pre_force(int vflag)
 
 void FixPotdemLedger::pre_force(int /*vflag*/)
 {
+  const std::size_t count = atom->nlocal + atom->nghost;    // LAMMPS has room for many more
   for (int which = 0; which < NFORCES; which++) {
     auto &rows = forces[which];
-    if (noted[which] || rows.size() != static_cast<std::size_t>(atom->nmax))
-      rows.assign(atom->nmax, {});
+    if (noted[which] || rows.size() != count) rows.assign(count, {});
     noted[which] = false;
   }
   step = update->dt;
