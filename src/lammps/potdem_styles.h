@@ -37,7 +37,7 @@ FixStyle(potdem/failure,FixPotdemFailure);
 FixStyle(potdem/timestep,FixPotdemTimestep);
 FixStyle(potdem/wall/region,FixPotdemWallRegion);
 FixStyle(POTDEM_BOND_HISTORY,FixPotdemBondHistory);
-FixStyle(POTDEM_BOND_HISTORY/AREAS,FixPotdemBondValues);
+FixStyle(POTDEM_AREA_BOND_HISTORY,FixPotdemBondValues);
 FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
 FixStyle(POTDEM_LEDGER,FixPotdemLedger);
 FixStyle(POTDEM_REFERENCE,FixPotdemReference);

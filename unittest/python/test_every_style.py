@@ -31,7 +31,7 @@ run 2
 info fixes system
 """
     text = run_lammps(script).stdout
-    for name in ("POTDEM_BOND_HISTORY", "POTDEM_BOND_HISTORY/AREAS", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_AREA_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
         assert name in text
 
 

@@ -249,12 +249,13 @@ void FixPotdemBondHistory::store(int i, int m, double length)
   if (areas) store_area(i, m, 0.0);
 }
 
-// before any bond of a type whose areas are found is computed
+// before any bond of a type whose areas are found is computed. The style must not have the name of this one in its own: when a plugin
+// goes, LAMMPS deletes its fixes by patterns of their styles
 void FixPotdemBondHistory::keep_areas()
 {
   if (areas) return;
   areas = dynamic_cast<FixPotdemBondValues *>(
-      modify->add_fix(fmt::format("{} all POTDEM_BOND_HISTORY/AREAS 0 1", AREAS_ID)));
+      modify->add_fix(fmt::format("{} all POTDEM_AREA_BOND_HISTORY 0 1", AREAS_ID)));
 }
 
 /* ---------------------------------------------------------------------- */
