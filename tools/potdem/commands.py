@@ -29,6 +29,8 @@ UNITS = {
                  "mass": "u"},
     "lj": {},
 }
+# terms of compute potdem/energy, in the order of its vector
+LEDGER = ("kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping", "work of walls", "springs")
 # what the outputs of the package's styles are, by their number (0: what stands without one): in words, and a key of UNITS
 BONDS = "bonds of the particle"
 OUTPUTS = {
@@ -37,8 +39,7 @@ OUTPUTS = {
     "potdem/piece/atom": {0: ("piece", "")},
     "potdem/timestep": {0: ("critical step", "time")},
     "potdem/energy": {number: (name, "energy") for number, name in enumerate((
-        "sum of all energies", "kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping",
-        "work of walls", "springs of friction"))},
+        "sum of all energies", *LEDGER[:-1], "springs of friction"))},
     "potdem/failure": {0: ("failed bonds", ""), 1: ("fracture energy", "energy"), 2: ("failed in tension", ""),
                        3: ("failed in compression", "")},
     "potdem/wall/region": {0: ("energy of the wall", "energy"),

@@ -16,10 +16,11 @@ from pathlib import Path
 
 import numpy as np
 
+from potdem.commands import LEDGER
+
 GLOBAL, ATOM, LOCAL = 0, 1, 2      # LMP_STYLE_...
 SCALAR, VECTOR, ARRAY = 0, 1, 2    # LMP_TYPE_...
 
-LEDGER = ("kinetic", "gravity", "bonds", "contacts", "walls", "fracture", "friction", "viscous", "damping", "work of walls", "springs")
 CRACK = ("step", "time", "id 1", "id 2", "x", "y", "z", "strain", "energy", "contact")
 BOND = ("id 1", "id 2", "type", "length", "energy", "force", "strain", "stress", "section", "reference")
 

@@ -8,6 +8,7 @@
 #include "fmt/format.h"
 #include "utils.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -62,7 +63,7 @@ static Vector read_corner(const std::vector<std::string> &words)
   return x;
 }
 
-// one line of a text; first: it begins a solid or a facet, or ends one
+// one line of a text: corners are taken, all else is only checked
 static void read_line(const std::string &line, std::vector<Vector> &corners)
 {
   const auto words = utils::split_words(utils::lowercase(line));
