@@ -42,6 +42,7 @@ FixStyle(POTDEM_CONTACTS,FixPotdemContacts);
 FixStyle(POTDEM_LEDGER,FixPotdemLedger);
 FixStyle(POTDEM_REFERENCE,FixPotdemReference);
 FixStyle(POTDEM_REFRESH,FixPotdemRefresh);
+FixStyle(POTDEM_RESUME,FixPotdemResume);
 FixStyle(POTDEM_MONITOR,FixPotdemMonitor);
 #ifdef LMP_OPENMP
 FixStyle(potdem/damping/omp,FixPotdemOMP<FixPotdemDamping>);
@@ -66,6 +67,7 @@ RegionStyle(potdem/mesh,RegPotdemMesh);
 #include "lammps/bond/fix_potdem_failure.h"
 #include "lammps/bond/potdem_bonds.h"
 #include "lammps/glue/fix_potdem_refresh.h"
+#include "lammps/glue/fix_potdem_resume.h"
 #include "lammps/glue/potdem_material.h"
 #include "lammps/output/compute_potdem_energy.h"
 #include "lammps/output/compute_potdem_piece_atom.h"

@@ -66,6 +66,14 @@ struct SlipSpring {
     for (int c = 0; c < 3; c++) T[c] *= share;
   }
 
+  // to rounding: what a run left is where it goes on, to the last bit
+  POTDEM_FUNCTION static bool is_found_again(const double *T, const double *state)
+  {
+    constexpr double rounding = 1e-14;
+    const double off[3] = {T[0] - state[0], T[1] - state[1], T[2] - state[2]};
+    return square(off) <= rounding * rounding * square(state);
+  }
+
   POTDEM_FUNCTION void force(const Slide &at, double *state, double *f) const
   {
     const double most = mu * at.normal, c = xi > 0.0 ? viscosity(at) : 0.0;
@@ -74,6 +82,8 @@ struct SlipSpring {
     const double dt = at.advance ? at.dt : 0.0;
     for (int d = 0; d < 3; d++) T[d] -= k * at.u[d] * dt;
     limit(T, most);
+    const bool same = !at.advance && is_found_again(T, state);
+    for (int d = 0; d < 3; d++) T[d] = same ? state[d] : T[d];
     for (int d = 0; d < 3; d++) f[d] = T[d] - c * at.u[d];
     limit(f, most, c > 0.0);
     for (int d = 0; d < 3; d++) state[d] = at.advance ? T[d] : state[d];

@@ -23,6 +23,7 @@
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_material_input.h"
+#include "lammps/glue/potdem_restart_block.h"
 #include "lammps/glue/potdem_swap.h"
 
 #include "atom.h"
@@ -415,19 +416,16 @@ double FixPotdemFailure::memory_usage()
 
 /* ---------------------------------------------------------------------- */
 
+// the run that writes goes on from one sum, too, like the one that will read it
 void FixPotdemFailure::write_restart(FILE *fp)
 {
   const auto all = totals();
-  const double state[3] = {all.energy, all.tension, all.compression};
-  const int size = sizeof(state);
-  if (comm->me == 0) {
-    fwrite(&size, sizeof(int), 1, fp);
-    fwrite(state, size, 1, fp);
-  }
+  lost = comm->me == 0 ? all : Totals();
+  if (comm->me == 0) potdem_write_block(fp, {all.energy, all.tension, all.compression});
 }
 
 void FixPotdemFailure::restart(char *buf)
 {
-  const auto state = reinterpret_cast<const double *>(buf);
+  const auto state = potdem_read_block(lmp, fmt::format("Fix potdem/failure {}", id), buf, 3);
   if (comm->me == 0) lost = {state[0], state[1], state[2]};
 }

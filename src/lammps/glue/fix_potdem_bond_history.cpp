@@ -9,6 +9,7 @@
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/lammps_compat.h"
 #include "lammps/glue/potdem_gather.h"
+#include "lammps/glue/potdem_restart_block.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -31,7 +32,6 @@ static constexpr char STORE_ID[] = "POTDEM_BONDS", AREAS_ID[] = "POTDEM_BONDS_AR
 // of the longest bond, so that not each rebuild begins twice; and what is less than this of the reach there is counts as
 // shorter
 static constexpr double SPARE_REACH = 1.05, LEAST_CHANGE = 0.9;
-static constexpr double RESTART_VERSION = 5.0;    // of what the fix itself writes
 
 /* ---------------------------------------------------------------------- */
 
@@ -91,7 +91,7 @@ std::string FixPotdemBondHistory::gone() const
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
     FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
     widest(0.0), areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr),
-    exchanged_width(0)
+    exchanged_width(0), ends_in_file(0.0), sum_in_file(0.0)
 {
   setflag = all_types.data();
 }
@@ -112,6 +112,7 @@ int FixPotdemBondHistory::setmask()
 // as LAMMPS has it for the memory of its pair styles
 void FixPotdemBondHistory::init()
 {
+  check_values();
   if (NSTATE == 0) return;
   for (const auto *fix : modify->get_fix_list()) {
     if (fix == this) return;
@@ -378,35 +379,48 @@ void FixPotdemBondHistory::remove(int i, int m)
 }
 
 /* ----------------------------------------------------------------------
-   LAMMPS's restart files keep the communication cutoff, but not whose it is. Files of versions that kept other values of
-   each bond cannot be read, nor those whose laws do
+   LAMMPS's restart files keep the communication cutoff, but not whose it is. The values of the bonds are with their particles
 ------------------------------------------------------------------------- */
 
 void FixPotdemBondHistory::write_restart(FILE *fp)
 {
   pre_exchange();
-  const double state[] = {RESTART_VERSION, ghost_cutoff, NSTATE};
-  const int size = sizeof(state);
-  if (comm->me != 0) return;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(state, size, 1, fp);
+  const auto all = ends_and_sum();
+  if (comm->me == 0) potdem_write_block(fp, {ghost_cutoff, all[0], all[1]});
 }
 
 void FixPotdemBondHistory::restart(char *buf)
 {
-  const auto state = reinterpret_cast<const double *>(buf);
-  if (state[0] != RESTART_VERSION)
-    error->all(FLERR,
-               "The restart file was written by a version of POTDEM that kept other values of each "
-               "bond; continue it with that version, or begin anew");
-  const double nstate = state[2];
-  if (nstate != NSTATE)
+  const auto state = potdem_read_block(lmp, "Bonds of bond_style potdem/truss", buf, 3);
+  ghost_cutoff = state[0];
+  ends_in_file = state[1];
+  sum_in_file = state[2];
+}
+
+// of the values of all bonds, on any number of ranks and in any order
+std::vector<double> FixPotdemBondHistory::ends_and_sum() const
+{
+  PotdemSum mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      mine.add(values()[i] + m * NDATA, NDATA);
+      const double area_found = area(i, m);
+      mine.add(&area_found, 1);
+    }
+  return {static_cast<double>(mine.count(world)), mine.value(world)};
+}
+
+// once, before bonds are computed. Where the user has taken some away or added some since, nothing can be said
+void FixPotdemBondHistory::check_values()
+{
+  if (ends_in_file == 0.0) return;
+  const auto all = ends_and_sum();
+  if (all[0] == ends_in_file && all[1] != sum_in_file)
     error->all(
         FLERR,
-        "The restart file was written by a version of POTDEM whose laws keep {} values of each "
-        "bond, here they keep {}; continue it with that version",
-        nstate, NSTATE);
-  ghost_cutoff = state[1];
+        "The restart file is damaged: reference lengths or areas of bonds are not those that "
+        "were written; continue from another file");
+  ends_in_file = 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

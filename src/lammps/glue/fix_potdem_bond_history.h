@@ -99,7 +99,12 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   double *exchanged;
   int exchanged_width;
 
+  // of what the file that was read has of its bonds: how many ends, and their checksum; no ends: none was read, or it is checked
+  double ends_in_file, sum_in_file;
+
   double **values() const;
+  std::vector<double> ends_and_sum() const;
+  void check_values();
   double longest_new_bond() const;
   bool is_periodic() const;
   double longest_now() const;

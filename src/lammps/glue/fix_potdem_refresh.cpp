@@ -6,6 +6,7 @@
 #include "lammps/glue/fix_potdem_refresh.h"
 
 #include "lammps/glue/find_styles.h"
+#include "lammps/glue/fix_potdem_resume.h"
 #include "lammps/glue/interfaces.h"
 
 #include "atom.h"
@@ -37,6 +38,7 @@ void FixPotdemRefresh::ensure(LAMMPS *lmp)
   // within a run the order is settled: there fix adapt has styles of bond_style hybrid initialised again
   const auto *const update = lmp->update;
   const bool begun = update->setupflag || update->ntimestep > update->firststep;
+  if (!begun) FixPotdemResume::ensure(lmp);
   if (found && (begun || found == modify->get_fix_by_index(modify->nfix - 1))) return;
   if (found) modify->delete_fix(REFRESH_ID);
   modify->add_fix(fmt::format("{} all POTDEM_REFRESH", REFRESH_ID));

@@ -5,6 +5,8 @@
 
 #include "lammps/glue/potdem_input.h"
 
+#include "lammps/glue/potdem_restart_block.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -59,15 +61,21 @@ void LAMMPS_NS::potdem_require_last(LAMMPS *lmp, Fix *fix, const std::string &re
 
 /* ---------------------------------------------------------------------- */
 
-// "PTDM", the version, the length, the text
+// "PTDM", the form, the length, the checksum; then the text
 struct TextHead {
-  int mark, version, length;
+  int mark, form, length;
+  unsigned sum;
 };
-static constexpr int TEXT_MARK = 0x4d445450, TEXT_VERSION = 1;
+static constexpr int TEXT_MARK = 0x4d445450, TEXT_FORM = 2, LONGEST_TEXT = 100000;
+
+static unsigned sum_of(const std::string &text)
+{
+  return static_cast<unsigned>(potdem_checksum(text.data(), text.size()));
+}
 
 void LAMMPS_NS::potdem_write_text(FILE *fp, const std::string &text)
 {
-  const TextHead head = {TEXT_MARK, TEXT_VERSION, static_cast<int>(text.size())};
+  const TextHead head = {TEXT_MARK, TEXT_FORM, static_cast<int>(text.size()), sum_of(text)};
   fwrite(&head, sizeof(head), 1, fp);
   fwrite(text.data(), 1, text.size(), fp);
 }
@@ -78,22 +86,21 @@ std::string LAMMPS_NS::potdem_read_text(LAMMPS *lmp, FILE *fp, const std::string
   const bool reads = lmp->comm->me == 0;
   if (reads) utils::sfread(FLERR, &head, sizeof(head), 1, fp, nullptr, lmp->error);
   MPI_Bcast(&head, sizeof(head), MPI_BYTE, 0, lmp->world);
-  if (head.mark != TEXT_MARK)
+  if (head.mark != TEXT_MARK || head.form != TEXT_FORM || head.length < 0 ||
+      head.length > LONGEST_TEXT)
     lmp->error->all(FLERR,
-                    "{}: the restart file was written by a version of POTDEM that did not keep its "
-                    "coefficients "
-                    "as text yet; read it with that version, or begin anew",
+                    "{}: the restart file was written by another version of POTDEM, or is damaged; "
+                    "continue it with that version, or from another file",
                     who);
-  if (head.version > TEXT_VERSION)
-    lmp->error->all(
-        FLERR,
-        "{}: the restart file was written by a newer version of POTDEM (form {}, this one reads "
-        "up to {}); read it with that version",
-        who, head.version, TEXT_VERSION);
   std::string text(head.length, ' ');
   if (reads && head.length > 0)
     utils::sfread(FLERR, &text[0], 1, head.length, fp, nullptr, lmp->error);
   MPI_Bcast(&text[0], head.length, MPI_CHAR, 0, lmp->world);
+  if (head.sum != sum_of(text))
+    lmp->error->all(FLERR,
+                    "{}: the restart file is damaged, its checksum does not fit; continue from "
+                    "another file",
+                    who);
   return text;
 }
 

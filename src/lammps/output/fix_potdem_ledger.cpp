@@ -6,14 +6,18 @@
 #include "lammps/output/fix_potdem_ledger.h"
 
 #include "lammps/glue/find_styles.h"
+#include "lammps/glue/fix_potdem_resume.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_input.h"
+#include "lammps/glue/potdem_restart_block.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "force.h"
 #include "modify.h"
 #include "update.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -72,7 +76,7 @@ void FixPotdemLedger::setup(int /*vflag*/)
     springs = potdem_energies(lmp).springs;
     begun = true;
   }
-  rate = powers();
+  if (!FixPotdemResume::resumes(lmp)) rate = powers();
 }
 
 void FixPotdemLedger::end_of_step()
@@ -134,26 +138,21 @@ double FixPotdemLedger::memory_usage()
   return bytes;
 }
 
-// files from before there were springs begin with the heat of friction, which is not negative
-static constexpr double RESTART_VERSION = -2.0;
-
 void FixPotdemLedger::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
-  const double head[2] = {RESTART_VERSION, springs};
-  const int size = sizeof(head) + sizeof(booked);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(head, sizeof(head), 1, fp);
-  fwrite(booked.data(), sizeof(booked), 1, fp);
+  std::vector<double> values{springs};
+  values.insert(values.end(), booked.begin(), booked.end());
+  values.insert(values.end(), rate.begin(), rate.end());
+  potdem_write_block(fp, values);
 }
 
 void FixPotdemLedger::restart(char *buf)
 {
-  const double *values = reinterpret_cast<const double *>(buf);
-  if (values[0] == RESTART_VERSION) {
-    springs = values[1];
-    values += 2;
-  }
-  std::copy(values, values + booked.size(), booked.begin());
+  const auto n = booked.size();
+  const auto values = potdem_read_block(lmp, "Compute potdem/energy", buf, 1 + 2 * n);
+  springs = values[0];
+  std::copy_n(values.begin() + 1, n, booked.begin());
+  std::copy_n(values.begin() + 1 + n, n, rate.begin());
   begun = true;
 }

@@ -8,7 +8,9 @@
 
 #include "lammps/output/fix_potdem_timestep.h"
 
+#include "lammps/glue/fix_potdem_resume.h"
 #include "lammps/glue/potdem_input.h"
+#include "lammps/glue/potdem_restart_block.h"
 
 #include "comm.h"
 #include "compute.h"
@@ -86,10 +88,11 @@ Compute *FixPotdemTimestep::critical() const
 
 /* ---------------------------------------------------------------------- */
 
-// before the forces of the first step, some of which depend on it. A run in pieces goes on with its step
+// before the forces of the first step, some of which depend on it. A run in pieces goes on with its step, and one that
+// continues from a file written within a run has the step of that run already
 void FixPotdemTimestep::setup_pre_force(int /*vflag*/)
 {
-  if (update->whichflag != 1) return;
+  if (update->whichflag != 1 || FixPotdemResume::resumes(lmp)) return;
   change_to(started ? MIN(update->dt, target()) : target());
   started = true;
 }
@@ -125,15 +128,14 @@ double FixPotdemTimestep::compute_scalar()
 
 void FixPotdemTimestep::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  const int size = sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&update->dt, size, 1, fp);
+  if (comm->me == 0) potdem_write_block(fp, {update->dt, critical()->scalar});
 }
 
 void FixPotdemTimestep::restart(char *buf)
 {
   update->update_time();
-  update->dt = *reinterpret_cast<double *>(buf);
+  const auto values = potdem_read_block(lmp, fmt::format("Fix potdem/timestep {}", id), buf, 2);
+  update->dt = values[0];
+  critical()->scalar = values[1];
   started = true;
 }

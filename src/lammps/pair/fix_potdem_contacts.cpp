@@ -5,6 +5,8 @@
 
 #include "lammps/pair/fix_potdem_contacts.h"
 
+#include "lammps/glue/potdem_restart_block.h"
+
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
@@ -91,6 +93,7 @@ FixPotdemContacts::~FixPotdemContacts()
 
 void FixPotdemContacts::init()
 {
+  check_kept();
   if (!pair) return;
   if (dnum > 1 && force->newton_pair && comm->style != Comm::BRICK)
     error->all(FLERR,
@@ -206,8 +209,33 @@ void FixPotdemContacts::add_aside()
 void FixPotdemContacts::write_restart(FILE *fp)
 {
   if (pair && !stored) give_to_particles();
-  const int size = 0;
-  if (comm->me == 0) fwrite(&size, sizeof(int), 1, fp);
+  const auto all = sum_kept();
+  if (comm->me == 0) potdem_write_block(fp, all);
+}
+
+void FixPotdemContacts::restart(char *buf)
+{
+  in_file = potdem_read_block(lmp, fmt::format("Contacts {}", id), buf, 3);
+}
+
+std::vector<double> FixPotdemContacts::sum_kept() const
+{
+  PotdemSum mine;
+  for (const auto &one : all_kept()) mine.add(one.values.data(), one.values.size());
+  return {static_cast<double>(mine.count(world)), static_cast<double>(dnum), mine.value(world)};
+}
+
+// once, before contacts are computed. Where they are of another law, or the user has taken particles away, nothing can be said
+void FixPotdemContacts::check_kept()
+{
+  if (in_file.empty()) return;
+  const auto all = sum_kept();
+  if (all[0] == in_file[0] && all[1] == in_file[1] && all[2] != in_file[2])
+    error->all(FLERR,
+               "The restart file is damaged: what contacts remember in {} is not what was written; "
+               "continue from another file",
+               id);
+  in_file.clear();
 }
 
 /* ---------------------------------------------------------------------- */

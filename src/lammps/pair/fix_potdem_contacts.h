@@ -45,6 +45,7 @@ class FixPotdemContacts : public FixNeighHistory {
   void setup(int) override { stored = false; }
   void post_run() override;
   void write_restart(FILE *) override;
+  void restart(char *) override;
   void unpack_restart(int, int) override;
 
   void expect(const std::vector<PotdemNewContact> &);
@@ -95,6 +96,9 @@ class FixPotdemContacts : public FixNeighHistory {
       stored;    // with the particles, as between runs and in a rebuild; else with the neighbour list
   bigint remembering;    // contacts of this rank's list, at most
 
+  // of what the file that was read has of its contacts: how many, how wide, and their checksum; none: none was read, or it is checked
+  std::vector<double> in_file;
+
   struct Kept {
     int i;    // owned particle
     tagint partner;
@@ -103,6 +107,8 @@ class FixPotdemContacts : public FixNeighHistory {
 
   std::vector<Kept> all_kept() const;
   void add_kept(const std::vector<Kept> &);
+  std::vector<double> sum_kept() const;
+  void check_kept();
   bool pages_will_change() const;
   void give_to_particles();
   bool set_listed(int i, tagint, double distance);
