@@ -376,7 +376,7 @@ def test_the_ledger_is_taken_away(run_lammps):
 TAKEN_AWAY = {
     "POTDEM_BONDS": True, "POTDEM_BONDS_FIX_PROP_ATOM": True, "POTDEM_BONDS_AREAS": True,
     "POTDEM_BONDS_AREAS_FIX_PROP_ATOM": True, "POTDEM_CONTACTS_1": True, "strain_REFERENCE": True,
-    "pace_CRITICAL": True, "POTDEM_MONITOR": False, "POTDEM_REFRESH": False
+    "pace_CRITICAL": True, "POTDEM_MONITOR": False, "POTDEM_REFRESH": False, "POTDEM_RESUME": False
 }
 
 
@@ -384,7 +384,7 @@ TAKEN_AWAY = {
 def test_another_internal_part_is_taken_away(lmp, run_lammps, tmp_path, part):
     """one error that names it, or the same results as without"""
     script = WITH_LEDGER + "compute strain all potdem/strain/atom\nfix pace all potdem/timestep 1 0.5 max 1e-4\n"
-    script += f"thermo_modify format float {scripts.ALL_DIGITS}\nrun 50\n"
+    script += f"thermo_modify format float {scripts.ALL_DIGITS}\nrestart 1000 kept.a kept.b\nrun 50\n"
     usual = last_row(run_lammps(script + "run 50\n"))
     command = "uncompute" if part == "pace_CRITICAL" else "unfix"
     done = running.run(script + f"{command} {part}\nrun 50\n", {}, tmp_path, log="log.unfix", lmp=lmp)

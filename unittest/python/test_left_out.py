@@ -58,7 +58,7 @@ def test_internal_fixes_only_where_they_are_used(run_lammps):
     assert fixes(run_lammps(grains() + INFO)) == {"nve", "POTDEM_MONITOR", "POTDEM_REFRESH", "DUMMY"}
     bonded = fixes(run_lammps(body() + INFO))
     assert "POTDEM_BOND_HISTORY" in bonded and "POTDEM_CONTACTS" in bonded and "POTDEM_LEDGER" not in bonded
-    assert "POTDEM_AREA_BOND_HISTORY" not in bonded
+    assert "POTDEM_AREA_BOND_HISTORY" not in bonded and "POTDEM_RESUME" not in bonded
     assert "POTDEM_AREA_BOND_HISTORY" in fixes(run_lammps(body(area="lattice") + INFO))
     assert "POTDEM_LEDGER" in fixes(run_lammps(grains(more="compute ledger all potdem/energy") + INFO))
 

@@ -67,6 +67,17 @@ thermo 20
 thermo_style custom step pe ke c_books c_books[*] f_cup[3]
 """ + FORMAT
 
+# a lid that presses and turns, a drum that opens
+MOVING = replaced(GRAINS, "fix move", """variable down equal -0.3*time
+variable turn equal 0.5*time*time
+variable wide equal 4.36-0.5*time
+region lid plane 0 0 2.7 0 0 -1 move NULL NULL v_down rotate v_turn 0 0 0 0 0 1 units box
+fix lid all potdem/wall/region lid law hertz 1e4 0.3 friction 0.4 mindlin restitution 0.5
+region drum cylinder z 0 0 v_wide -7.4 INF open 1 units box
+fix drum all potdem/wall/region drum law hertz 1e4 0.3 friction 0.4 spring 0.7 restitution 0.5
+fix move""")
+MOVING = replaced(MOVING, "f_cup[3]", "f_cup[3] f_lid[1] f_lid[3] f_lid[6] f_drum f_drum[4]")
+
 PACE = "fix pace all potdem/timestep 7 0.3 max 0.02"
 
 SCENES = {
@@ -77,6 +88,7 @@ SCENES = {
     "springs of friction": (block(), of_block()),
     "rolling": (block(friction=ROLLS, rotation="yes"), replaced(of_block(), "nve\n", "nve/sphere\n")),
     "a step that adapts": (block(), of_block(step=PACE)),
+    "walls that move": (grains(), MOVING),
     "grains": (grains(), GRAINS),
     "grains, viscous": (grains(coefficients="1e4 0.3 friction 0.4 auto restitution 0.5"), GRAINS),
     "grains, a step that adapts": (grains(), replaced(GRAINS, "timestep 2e-3", replaced(PACE, "max 0.02", "max 4e-3"))),
@@ -150,7 +162,7 @@ def places_of_ours(data, values):
     while start >= 0:
         size, = struct.unpack_from("i", data, start - 4)
         count, = struct.unpack_from("d", data, start + 8)
-        if size == 24 + 8 * count:
+        if size == 32 + 8 * count:
             places.append(("state of a fix", start, start + size))
         start = data.find(block, start + 8)
     for kind, numbers in values.items():

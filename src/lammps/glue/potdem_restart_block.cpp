@@ -11,9 +11,10 @@
 
 using namespace LAMMPS_NS;
 
-// before the numbers: the form of restart files, how many numbers, their checksum
+// before the numbers: the form of restart files, how many numbers, the same with a minus, because LAMMPS does not tell the size of what
+// it has read, and their checksum
 static constexpr double FORM = 6.0;
-enum { FORM_AT, COUNT_AT, SUM_AT, HEAD };
+enum { FORM_AT, COUNT_AT, MINUS_COUNT_AT, SUM_AT, HEAD };
 
 std::uint64_t LAMMPS_NS::potdem_checksum(const void *bytes, std::size_t count)
 {
@@ -56,27 +57,42 @@ std::int64_t PotdemSum::count(MPI_Comm world) const
 
 void LAMMPS_NS::potdem_write_block(FILE *fp, const std::vector<double> &values)
 {
-  const double head[HEAD] = {FORM, static_cast<double>(values.size()), short_sum(values)};
+  const auto count = static_cast<double>(values.size());
+  const double head[HEAD] = {FORM, count, -count, short_sum(values)};
   const int size = static_cast<int>(sizeof(head) + values.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(head, sizeof(head), 1, fp);
   fwrite(values.data(), sizeof(double), values.size(), fp);
 }
 
+static void refuse_other_version(LAMMPS *lmp, const std::string &owner)
+{
+  lmp->error->all(FLERR,
+                  "{}: the restart file was written by another version of POTDEM, or is damaged; "
+                  "continue it with that version, or from another file",
+                  owner);
+}
+
 std::vector<double> LAMMPS_NS::potdem_read_block(LAMMPS *lmp, const std::string &owner,
-                                                 const char *buf, std::size_t count)
+                                                 const char *buf)
 {
   const auto *const all = reinterpret_cast<const double *>(buf);
-  if (!all || all[FORM_AT] != FORM || all[COUNT_AT] != static_cast<double>(count))
-    lmp->error->all(FLERR,
-                    "{}: the restart file was written by another version of POTDEM, or is damaged; "
-                    "continue it with that version, or from an earlier file",
-                    owner);
-  const std::vector<double> values(all + HEAD, all + HEAD + count);
+  if (!all || all[FORM_AT] != FORM || all[COUNT_AT] != -all[MINUS_COUNT_AT])
+    refuse_other_version(lmp, owner);
+  const std::vector<double> values(all + HEAD,
+                                   all + HEAD + static_cast<std::size_t>(all[COUNT_AT]));
   if (all[SUM_AT] != short_sum(values))
     lmp->error->all(FLERR,
                     "{}: the restart file is damaged, its checksum does not fit; continue from "
                     "another file",
                     owner);
+  return values;
+}
+
+std::vector<double> LAMMPS_NS::potdem_read_block(LAMMPS *lmp, const std::string &owner,
+                                                 const char *buf, std::size_t count)
+{
+  auto values = potdem_read_block(lmp, owner, buf);
+  if (values.size() != count) refuse_other_version(lmp, owner);
   return values;
 }

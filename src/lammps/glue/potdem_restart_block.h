@@ -37,7 +37,8 @@ class PotdemSum {
 // by the first rank, in Fix::write_restart()
 void potdem_write_block(FILE *, const std::vector<double> &values);
 
-// in Fix::restart(): ends with an error that names `owner` if there are not `count` numbers, or not those that were written
+// in Fix::restart(): ends with an error that names `owner` if they are not those that were written, or not `count` of them
+std::vector<double> potdem_read_block(LAMMPS *, const std::string &owner, const char *buf);
 std::vector<double> potdem_read_block(LAMMPS *, const std::string &owner, const char *buf,
                                       std::size_t count);
 

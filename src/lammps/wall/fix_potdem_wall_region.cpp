@@ -9,11 +9,13 @@
 
 #include "core/stability/turning_point.h"
 #include "lammps/glue/potdem_law_io.h"
+#include "lammps/glue/potdem_restart_block.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
 
 #include "atom.h"
 #include "atom_vec.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -51,6 +53,7 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
   energy_global_flag = 1;
   virial_global_flag = virial_peratom_flag = 1;
   dynamic_group_allow = 1;
+  restart_global = 1;
   read(narg - 3, arg + 3);
 }
 
@@ -148,6 +151,8 @@ void FixPotdemWallRegion::init()
                "bpm/sphere",
                id);
   surface.init(region);
+  surface.go_on(way_in_file);
+  way_in_file.clear();
   listed = -1;
   if (memory) memory->init();
   friction_kernel = make_friction_kernel();
@@ -800,4 +805,16 @@ double FixPotdemWallRegion::compute_scalar()
 double FixPotdemWallRegion::compute_vector(int n)
 {
   return sum(1 + n);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPotdemWallRegion::write_restart(FILE *fp)
+{
+  if (comm->me == 0) potdem_write_block(fp, surface.way());
+}
+
+void FixPotdemWallRegion::restart(char *buf)
+{
+  way_in_file = potdem_read_block(lmp, fmt::format("Fix potdem/wall/region {}", id), buf);
 }

@@ -52,6 +52,8 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   void min_post_force(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
 
   void add_stiffness_to(class PotdemStiffness &, double ahead) override;
   void add_energy_to(PotdemEnergies &) override;
@@ -97,6 +99,7 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   std::string region_id;
   class Region *region;
   PotdemWallSurface surface;
+  std::vector<double> way_in_file;    // of the surface, until the region is known
   class FixPotdemLedger *ledger;      // null: no compute potdem/energy
   class FixPotdemMonitor *monitor;    // null: nothing to warn of
   double too_stiff, too_near;    // stiffness over mass, distance over radius: to be looked at twice

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 
@@ -84,6 +85,7 @@ void PotdemWallSurface::init(Region *wall)
                    ellipsoid ? ELLIPSOID_SEARCH : 1.0,
                    0.0,
                    0.0,
+                   {},
                    {}});
   });
   const bool same = std::equal(now.begin(), now.end(), parts.begin(), parts.end(),
@@ -104,19 +106,48 @@ void PotdemWallSurface::follow()
   for (const auto &part : parts) part.region->prematch();
   // at the set-up of a further run the step has been taken already: the velocities are still there
   if (step == update->ntimestep) return;
-  moving = step >= 0 && step == update->ntimestep - 1 &&
-      std::any_of(parts.begin(), parts.end(), [](const Part &part) {
-             return part.region->dynamic_check();
-           });
+  moving = step >= 0 && step == update->ntimestep - 1 && is_dynamic();
   step = update->ntimestep;
   for (auto &part : parts) {
     if (!part.region->dynamic_check()) continue;
+    std::copy_n(part.region->prev, part.before.size(), part.before.begin());
     part.region->set_velocity();
     if (!part.region->rotateflag) continue;
     const double length = MathExtra::len3(part.region->omega);
     const double speed = fabs(part.region->theta - part.angle) / update->dt;
     part.axis_scale = length > 0.0 ? speed / length : 0.0;
     part.angle = part.region->theta;
+  }
+}
+
+bool PotdemWallSurface::is_dynamic() const
+{
+  return std::any_of(parts.begin(), parts.end(), [](const Part &part) {
+    return part.region->dynamic_check();
+  });
+}
+
+// the latest step, and of each part what LAMMPS kept of the one before
+std::vector<double> PotdemWallSurface::way() const
+{
+  std::vector<double> all;
+  if (!moving) return all;
+  all.push_back(static_cast<double>(step));
+  for (const auto &part : parts) all.insert(all.end(), part.before.begin(), part.before.end());
+  return all;
+}
+
+// the set-up of a run then finds the velocities as the latest step did
+void PotdemWallSurface::go_on(const std::vector<double> &way)
+{
+  const std::size_t width = std::tuple_size<decltype(Part::before)>::value;
+  if (way.size() != 1 + width * parts.size() || !is_dynamic()) return;
+  step = static_cast<bigint>(way[0]) - 1;
+  auto of_part = way.begin() + 1;
+  for (auto &part : parts) {
+    std::copy_n(of_part, width, part.region->prev);
+    part.angle = part.region->prev[3];
+    of_part += width;
   }
 }
 

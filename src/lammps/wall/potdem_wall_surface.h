@@ -15,6 +15,7 @@
 #include "pointers.h"
 #include "region.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,7 +35,11 @@ class PotdemWallSurface : protected Pointers {
 
   PotdemWallSurface(LAMMPS *);
   void init(Region *);
-  void follow();                         // before the wall is used in a step
+  void follow();    // before the wall is used in a step
+  // where it was a step before, from which its velocities come; for restart files. Nothing where it does not move
+  std::vector<double> way() const;
+  void go_on(const std::vector<double>
+                 &way);    // of this region, or of another one: then it counts as at rest
   bool is_free(const double *x) const    // may a centre be there?
   {
     return region->reglist ? is_free_of_parts(x) : region->match(x[0], x[1], x[2]) != 0;
@@ -83,6 +88,7 @@ class PotdemWallSurface : protected Pointers {
     double angle;                       // of a rotation, at the latest step
     double axis_scale;                  // 1 over the length of its axis
     double listed[4];                   // displacement and angle when a list was begun
+    std::array<double, 5> before;       // what LAMMPS keeps of the step before the latest
   };
 
   struct Plane {
@@ -103,6 +109,8 @@ class PotdemWallSurface : protected Pointers {
   std::vector<Plane> planes;
   bigint step;    // of the latest call of follow
   bool moving;    // and there are two steps to take a difference of
+
+  bool is_dynamic() const;
 
   bool is_free_of_parts(const double *x) const;
   bool learn(const Region::Contact &, const double *x, double reach);
