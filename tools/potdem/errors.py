@@ -33,7 +33,7 @@ GROUPS = [
      ["compute_potdem", "fix_potdem_damping", "fix_potdem_timestep", "fix_potdem_ledger", "fix_potdem_reference", "potdem_stiffness"]),
     ("warnings and what is kept in step", "warnings.md", ["fix_potdem_monitor", "fix_potdem_refresh"]),
     ("every command", "index.md",
-     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "plugin"]),
+     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "potdem_restart_block", "plugin"]),
 ]
 
 HEAD = """# Errors
