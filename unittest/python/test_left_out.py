@@ -54,7 +54,7 @@ def test_velocities_of_ghosts_only_for_what_slides_or_is_viscous(run_lammps, scr
 
 
 def test_internal_fixes_only_where_they_are_used(run_lammps):
-    """(DUMMY, LAMMPS's fix that does nothing, holds a place for POTDEM_CONTACTS where the atom style has bonds)"""
+    """(DUMMY, LAMMPS's fix that does nothing, holds a place for POTDEM_CONTACTS)"""
     assert fixes(run_lammps(grains() + INFO)) == {"nve", "POTDEM_MONITOR", "POTDEM_REFRESH", "DUMMY"}
     bonded = fixes(run_lammps(body() + INFO))
     assert "POTDEM_BOND_HISTORY" in bonded and "POTDEM_CONTACTS" in bonded and "POTDEM_LEDGER" not in bonded

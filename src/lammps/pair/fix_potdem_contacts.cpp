@@ -8,7 +8,6 @@
 #include "lammps/glue/potdem_restart_block.h"
 
 #include "atom.h"
-#include "atom_vec.h"
 #include "comm.h"
 #include "error.h"
 #include "force.h"
@@ -40,7 +39,7 @@ std::string FixPotdemContacts::reserve(LAMMPS *lmp)
     const auto *const kept = dynamic_cast<FixPotdemContacts *>(modify->get_fix_by_id(id));
     if (kept && !kept->pair) return id;
     if (kept || modify->get_fix_by_id(place_of(id))) continue;
-    if (lmp->atom->avec->bonds_allow) modify->add_fix(place_of(id) + " all DUMMY");
+    modify->add_fix(place_of(id) + " all DUMMY");
     return id;
   }
 }
