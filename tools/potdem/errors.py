@@ -1,7 +1,7 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Writes docs/errors.md: every error message of src/lammps, by the command that says it.
+"""Writes docs/errors.md: every error message and every warning of src/lammps, by the command that says it.
 
 Usage: tools/python -m potdem.errors
 """
@@ -13,8 +13,14 @@ from potdem.paths import DOCS, ROOT
 
 SOURCES = ROOT / "src" / "lammps"
 PAGE = DOCS / "errors.md"
-CALL = re.compile(r"(?:error->(?:all|one)|\bfail|std::runtime_error)\(")
+ERROR = re.compile(r"(?:error->(?:all|one)|\bfail|std::runtime_error)\(")
+WARNING = re.compile(r"(?:error->warning|\bwarn|\blammps_error)\(")
+FORMAT = re.compile(r"fmt::format\(")
+SAYS = re.compile(r"\bsay\([A-Z]+,|const auto text = fmt::format\(")    # fix_potdem_monitor: words that are kept until the warning is written
+STIFF_PAIR = re.compile(r'warn_of_stiff_pair\("([^"]*)"')       # the first words of one warning
 LITERAL = r'"((?:[^"\\]|\\.)*)"'
+CONSTANT = re.compile(rf"const char \*const (\w+) = ((?:{LITERAL}\s*)+);")
+WRAPPED = re.compile(r"(?:std::string|fmt::format|)\(")
 PLACE = re.compile(r"\{[^{}]*\}")
 NO_MESSAGE = '"{}: {}", command, text'    # by which PotdemInput::fail passes on what it is given
 
@@ -31,20 +37,21 @@ GROUPS = [
     ("material files and potdem_material", "materials.md", ["potdem_material"]),
     ("computes, fix potdem/damping and fix potdem/timestep", "index.md",
      ["compute_potdem", "fix_potdem_damping", "fix_potdem_timestep", "fix_potdem_ledger", "fix_potdem_reference", "potdem_stiffness"]),
-    ("warnings and what is kept in step", "warnings.md", ["fix_potdem_monitor", "fix_potdem_refresh"]),
+    ("what is checked during a run", "warnings.md#warnings", ["fix_potdem_monitor", "fix_potdem_refresh"]),
+    ("the plugin", "install.md#the-plugin-for-a-lammps-that-is-there", ["plugin"]),
     ("every command", "index.md",
-     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "potdem_restart_block", "plugin"]),
+     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "potdem_restart_block"]),
 ]
 
-HEAD = """# Errors
+HEAD = """# Errors and warnings
 
-Made by `tools/python -m potdem.errors` from the sources, with … for what a run fills in. LAMMPS prints `ERROR:` before a message, mostly the command
-as well, and the line of the script after it. A message says what is wrong and, where there is one, the remedy; the page of the command, linked in each
-heading, says more. What warnings mean is on [a page of its own](warnings.md#warnings). Errors of LAMMPS itself are explained in
-[its manual](https://docs.lammps.org/Errors_messages.html).
+Every message of the package, made from the sources by `tools/python -m potdem.errors`; … stands for what a run fills in. LAMMPS prints `ERROR:` before an
+error, in most cases the command as well, and the line of the script after it; it prints `WARNING:` before a warning. A message says what is wrong and, where
+there is one, the remedy. The page linked in each heading says more, and [another page](warnings.md#warnings) explains when each warning comes. Errors of
+LAMMPS itself are explained in [its manual](https://docs.lammps.org/Errors_messages.html).
 
-Not listed: the ranges and keywords of single coefficients. They all read *… = … is out of range, it must be …*, or *unknown keyword …, expected …*, and
-the table of each style's page has them. Nor parts of a message that are chosen from several.
+The ranges and keywords of single coefficients are not listed: such errors all read *… = … is out of range, it must be …* or *unknown keyword …, expected …*,
+and each style's page has a table of its coefficients. Nor are words that a message chooses from several.
 """
 
 
@@ -61,36 +68,87 @@ def argument(text, start):
     return text[start:at - 1]
 
 
-def message(call):
-    """the words of a call, or None if it passes on those of another"""
-    run = re.search(rf"(?:{LITERAL}\s*)+", call)
-    if not run or NO_MESSAGE in call:
-        return None
-    words = PLACE.sub("…", "".join(re.findall(LITERAL, run.group()))).replace(r"\"", '"').replace(r"\n", "")
-    before, after = call[:run.start()].rstrip().endswith("+"), call[run.end():].startswith("+")
-    return f"{'…' if before else ''}{words}{'…' if after else ''}"
+def parts(text, separator):
+    """text cut at the separators that are in no literal and in no parentheses"""
+    found, depth, begin, at = [], 0, 0, 0
+    while at < len(text):
+        literal = re.compile(LITERAL).match(text, at)
+        if literal:
+            at = literal.end()
+            continue
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(text[at], 0)
+        if text[at] == separator and depth == 0:
+            found.append(text[begin:at])
+            begin = at + 1
+        at += 1
+    return [*found, text[begin:]]
 
 
-def messages(path):
-    text = path.read_text(encoding="utf-8")
-    text = re.sub(r"^\s*//[^\n]*$|/\*.*?\*/", "", text, flags=re.MULTILINE | re.DOTALL)
-    calls = [argument(text, match.end()) for match in CALL.finditer(text)]
-    return [words for words in map(message, calls) if words and re.search("[a-z]{2}", words)]
+def words_of(expression, constants):
+    """what an expression of strings says, with … for all but literals and named constants; empty without any"""
+    said = ""
+    for term in parts(expression, "+"):
+        term = constants.get(term.strip(), term.strip())
+        wrapped = WRAPPED.match(term)
+        if wrapped:
+            said += words_of(parts(argument(term, wrapped.end()), ",")[0], constants) or "…"
+        elif term.startswith('"'):
+            # a name between two literals is a macro
+            said += "".join(PLACE.sub("…", one.group(1)) if one.group(1) is not None else "…"
+                            for one in re.finditer(rf"{LITERAL}|\w+", term))
+        else:
+            said += "…"
+    said = re.sub("…+", "…", said)
+    return "" if said == "…" else said.replace(r"\"", '"').replace(r"\n", "")
+
+
+def message(call, constants):
+    """the words of a call, or empty if it passes on those of another"""
+    if NO_MESSAGE in call:
+        return ""
+    return next(filter(None, (words_of(one, constants) for one in parts(call, ","))), "")
+
+
+def without_comments(path):
+    return re.sub(r"^\s*//[^\n]*$|/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+
+
+def messages(path, call=ERROR):
+    text = without_comments(path)
+    constants = {match.group(1): match.group(2) for match in CONSTANT.finditer(text)}
+    found = [message(argument(text, match.end()), constants) for match in call.finditer(text)]
+    return [words for words in found if re.search("[a-z]{2}", words)]
+
+
+def warnings(path):
+    """also those that a file keeps before it writes them"""
+    text = without_comments(path)
+    found = messages(path, WARNING)
+    for match in SAYS.finditer(text):
+        form = FORMAT.search(text, match.start())
+        words = message(argument(text, form.end()), {})
+        leads = STIFF_PAIR.findall("".join(map(without_comments, sources()))) if words.startswith("…") else [""]
+        found += [lead + words.removeprefix("…") for lead in sorted(leads)]
+    return found
+
+
+def sources():
+    return sorted([*SOURCES.rglob("*.cpp"), *SOURCES.rglob("*.h")])
 
 
 def group_of(path):
     """the group with the longest name with which the file's begins"""
     fitting = [(len(stem), title) for title, _, stems in GROUPS for stem in stems if path.stem.startswith(stem)]
     if not fitting:
-        raise ValueError(f"potdem.errors: {path} has messages but belongs to no group")
+        raise ValueError(f"potdem.errors: {path} has messages, but belongs to no group")
     return max(fitting)[1]
 
 
-def collected():
-    """title -> the messages of its files, each once, in the order of the files"""
+def collected(read):
+    """title -> what is read of its files, each once, in the order of the files"""
     found = {title: [] for title, _, _ in GROUPS}
-    for path in sorted([*SOURCES.rglob("*.cpp"), *SOURCES.rglob("*.h")]):
-        words = messages(path)
+    for path in sources():
+        words = read(path)
         if words:
             found[group_of(path)] += [one for one in words if one not in found[group_of(path)]]
     return found
@@ -100,13 +158,18 @@ def escaped(words):
     return re.sub(r"([*|<>\\`])", r"\\\1", words)
 
 
+def rows(found):
+    return "".join(f"* {escaped(words)}\n" for words in found)
+
+
 def page():
-    parts = [HEAD]
-    found = collected()
+    text = [HEAD]
+    errors, warned = collected(messages), collected(warnings)
     for title, link, _ in GROUPS:
-        if found[title]:
-            parts.append(f"## [{title}]({link})\n\n" + "".join(f"* {escaped(words)}\n" for words in found[title]))
-    return "\n".join(parts)
+        both = [rows(errors[title]), f"Warnings:\n\n{rows(warned[title])}" if warned[title] else ""]
+        if any(both):
+            text.append(f"## [{title}]({link})\n\n" + "\n".join(filter(None, both)))
+    return "\n".join(text)
 
 
 def main():

@@ -110,7 +110,7 @@ void FixPotdemMonitor::check_skin() const
     error->warning(FLERR,
                    "The neighbour skin {:g} is large for particles of diameter {:g}: most pairs in "
                    "the neighbour "
-                   "lists are far from contact_only, and cost time; write 'neighbor {:.2g} bin'",
+                   "lists are far from contact, and cost time; write 'neighbor {:.2g} bin'",
                    neighbor->skin, least, GOOD_SKIN * least);
 }
 
