@@ -31,27 +31,27 @@ MODES = {"factor 0.4": "#8f8f8f", "lattice": "#d1495b", "body": "#20516e"}
 CLAMPS = {"plane": 0.0, "layer": 0.5}    # how far behind the plane between held and free layers, in d
 PAGE = """# Convergence with the number of particles through the depth
 
-Made by `tools/convergence.py`. Cantilevers of simple cubic packing, $r_{{\\mathrm{{infl}}}}=2d$, {slenderness} depths long and square in section, two
+This page is made by `tools/convergence.py`. It has cantilevers of simple cubic packing, $r_{{\\mathrm{{infl}}}}=2d$, {slenderness} depths long and square in section, with two
 more layers held. The sections come from LAMMPS. The small displacements under a load on the last layer and the first
 mode are solved directly (`tools/potdem/networks.py`) in the quarter of the beam that the two planes of symmetry leave, 80 000 particles for 20
 through the depth; the quarter has the deflection of the whole within 3·10⁻⁵.
 
 ![Errors against the number of particles](convergence.png)
 
-Error in per cent against Timoshenko's beam (shear factor 5/6, $\\nu=\\frac14$), which is clamped in the *plane* midway between the last held and the
+The table has the error in per cent against Timoshenko's beam (shear factor 5/6, $\\nu=\\frac14$), which is clamped in the *plane* midway between the last held and the
 first free layer, or in the last held *layer* ([where the clamp acts](area.md#where-the-clamp-acts)):
 
 {table}
 
 Order: slope of $\\log|\\text{{error}}|$ over $\\log n$, least squares over all depths; in brackets between the last two.
 
-* **`body`, clamp in the plane**: the error falls with first order until it is as small as that of the beam theory, which has the other
-  sign (hence the steeper slope at the end). What is left is the place of the clamp, about 0.4 $d$ behind the plane, a length in proportion to $d$.
-* **`body`, clamp in the last held layer**: {best}, and no further: both clamps tend to −0.4 to −0.5 % of the deflection. Below some {floor} %
+* **`body`, clamp in the plane**: the error falls with first order until it is as small as that of the beam theory, which has the opposite
+  sign (hence the steeper slope at the end). The remaining error is the position of the clamp, about 0.4 $d$ behind the plane, a length proportional to $d$.
+* **`body`, clamp in the last held layer**: {best}, and no further: both clamps tend to −0.4 to −0.5 % of the deflection. Below about {floor} %
   the beam theory is no reference. A clamp also hinders lateral strain and warping, which makes the solid stiffer than the theory's beam: finite elements
-  of [beam-impulse](../examples/beam-impulse/README.md#references) are 0.2 to 0.3 % below it, with a smaller ν. An order says nothing there.
+  of [beam-impulse](../examples/beam-impulse/README.md#references) are 0.2 to 0.3 % below it, with a smaller ν. An order has no meaning there.
 * **`lattice`** converges with first order, because the layers that lack bonds are a share of $1/n$ of the section: {lattice}. With
-  20 particles through the depth it is not yet where `body` is with 3.
+  20 particles through the depth it is not yet as accurate as `body` with 3.
 * **`factor 0.4`** does not converge to the solid: it tends to a solid that is 0.4/0.281 = 1.42 times too stiff. It crosses the right value between
   three and five particles through the depth, near the thesis's five.
 """

@@ -2,9 +2,9 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Draws the pictures on the pages of the scenes, the animation of three of them, and those of docs/see.md.
+"""Draws the pictures on the pages of the scenes, animations of seven of them, and the pictures of docs/see.md.
 
-Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see] [recipes]      examples/*/*.png, docs/scenes.gif, docs/see*.png, or some of them
+Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see] [recipes]      examples/*/*.png, docs/*.gif, docs/see*.png, or some of them
 from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
 """
 
@@ -105,9 +105,18 @@ class Shown:
         picture.header(axis, self.title)
 
 
+# scene, variant, until (s), title
+ANIMATIONS = {
+    "scenes.gif": [("beam-impact", "i-5", 0.16, "a falling block breaks a beam"),
+                   ("disc-bed", "disc", 1.2, "a disc falls on gravel"), ("hopper", "rough", 1.2, "a hopper")],
+    "breaking.gif": [("concrete-beam", "v2", 0.2, "a hammer breaks a concrete beam"),
+                     ("cylinder-impact", "2e5", 0.25, "a weak cylinder falls")],
+    "grains.gif": [("column-drop", "spring", 1.2, "a column of grains spreads"), ("blade-cut", "fast", 2.0, "a blade in a bed")],
+}
+
+
 def animate(path):
-    every = [Shown("beam-impact", "i-5", 0.16, "a falling block breaks a beam"),
-             Shown("disc-bed", "disc", 1.2, "a disc falls on gravel"), Shown("hopper", "rough", 1.2, "a hopper")]
+    every = [Shown(*one) for one in ANIMATIONS[path.name]]
     figure, axes = picture.plt.subplots(1, len(every), figsize=(picture.WIDTH, HEIGHT), dpi=DPI, layout="constrained",
                                         width_ratios=[shown.shape for shown in every])
 
@@ -170,7 +179,8 @@ def main(*chosen):
         if not chosen or drawn.scene in chosen:
             drawn.draw()
     if not chosen or ANIMATION in chosen:
-        animate(DOCS / "scenes.gif")
+        for name in ANIMATIONS:
+            animate(DOCS / name)
     if not chosen or SEE in chosen:
         draw_see()
     if not chosen or RECIPES in chosen:

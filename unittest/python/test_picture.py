@@ -10,7 +10,7 @@ import vtk_files
 from PIL import Image
 
 from potdem import paraview, picture
-from potdem.paths import EXAMPLES
+from potdem.paths import DOCS, EXAMPLES
 from potdem.scenes import scene as scenes
 
 
@@ -126,6 +126,13 @@ def test_pictures_of_the_pages_are_made_by_one_command():
         scene = scenes.Scene(drawn.scene)
         assert (scene.folder / drawn.program.split()[0]).exists()
         assert all(name in scene.variants for name in drawn.variants)
+
+
+def test_animations_of_the_pages_are_made_by_one_command():
+    assert sorted(pictures.ANIMATIONS) == sorted(path.name for path in DOCS.glob("*.gif"))
+    for shown in pictures.ANIMATIONS.values():
+        for scene, variant, until, _ in shown:
+            assert variant in scenes.Scene(scene).variants and until > 0
 
 
 def test_an_unknown_scene_has_no_picture():
