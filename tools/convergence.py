@@ -31,15 +31,15 @@ MODES = {"factor 0.4": "#8f8f8f", "lattice": "#d1495b", "body": "#20516e"}
 CLAMPS = {"plane": 0.0, "layer": 0.5}    # how far behind the plane between held and free layers, in d
 PAGE = """# Convergence with the number of particles through the depth
 
-This page is made by `tools/convergence.py`. It has cantilevers of simple cubic packing, $r_{{\\mathrm{{infl}}}}=2d$, {slenderness} depths long and square in section, with two
-more layers held. The sections come from LAMMPS. The small displacements under a load on the last layer and the first
-mode are solved directly (`tools/potdem/networks.py`) in the quarter of the beam that the two planes of symmetry leave, 80 000 particles for 20
-through the depth; the quarter has the deflection of the whole within 3·10⁻⁵.
+This page is made by `tools/convergence.py`. It has cantilevers of simple cubic packing, $r_{{\\mathrm{{infl}}}}=2d$, {slenderness} depths
+long and square in section, with two more layers held. The sections come from LAMMPS. The small displacements under a load on the last layer
+and the first mode are solved directly (`tools/potdem/networks.py`) in the quarter of the beam that the two planes of symmetry leave, 80 000
+particles for 20 through the depth; the quarter has the deflection of the whole within 3·10⁻⁵.
 
 ![Errors against the number of particles](convergence.png)
 
-The table has the error in per cent against Timoshenko's beam (shear factor 5/6, $\\nu=\\frac14$), which is clamped in the *plane* midway between the last held and the
-first free layer, or in the last held *layer* ([where the clamp acts](area.md#where-the-clamp-acts)):
+The table has the error in per cent against Timoshenko's beam (shear factor 5/6, $\\nu=\\frac14$), which is clamped in the *plane* midway
+between the last held and the first free layer, or in the last held *layer* ([where the clamp acts](area.md#where-the-clamp-acts)):
 
 {table}
 

@@ -4,7 +4,7 @@
 
 """Draws the pictures on the pages of the scenes, animations of seven of them, and the pictures of docs/see.md.
 
-Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see] [recipes]      examples/*/*.png, docs/*.gif, docs/see*.png, or some of them
+Usage: tools/python tools/pictures.py [SCENE ...] [animation] [see] [recipes]   examples/*/*.png, docs/*.gif, docs/see*.png, or some
 from the runs in build/examples; makes the runs that are not there (all: half an hour on one core).
 """
 

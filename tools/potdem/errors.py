@@ -16,7 +16,8 @@ PAGE = DOCS / "errors.md"
 ERROR = re.compile(r"(?:error->(?:all|one)|\bfail|std::runtime_error)\(")
 WARNING = re.compile(r"(?:error->warning|\bwarn|\blammps_error)\(")
 FORMAT = re.compile(r"fmt::format\(")
-SAYS = re.compile(r"\bsay\([A-Z]+,|const auto text = fmt::format\(")    # fix_potdem_monitor: words that are kept until the warning is written
+# of fix_potdem_monitor: words that are kept until the warning is written
+SAYS = re.compile(r"\bsay\([A-Z]+,|const auto text = fmt::format\(")
 STIFF_PAIR = re.compile(r'warn_of_stiff_pair\("([^"]*)"')       # the first words of one warning
 LITERAL = r'"((?:[^"\\]|\\.)*)"'
 CONSTANT = re.compile(rf"const char \*const (\w+) = ((?:{LITERAL}\s*)+);")
@@ -45,13 +46,15 @@ GROUPS = [
 
 HEAD = """# Errors and warnings
 
-Every message of the package, made from the sources by `tools/python -m potdem.errors`; … stands for what a run fills in. LAMMPS prints `ERROR:` before an
-error, in most cases the command as well, and the line of the script after it; it prints `WARNING:` before a warning. A message says what is wrong and, where
-there is one, the remedy. The page linked in each heading says more, and [another page](warnings.md#warnings) explains when each warning comes. Errors of
-LAMMPS itself are explained in [its manual](https://docs.lammps.org/Errors_messages.html).
+This page lists the messages of the package. `tools/python -m potdem.errors` makes it from the sources; … stands for what a run fills in.
+LAMMPS prints `ERROR:` before an error, in most cases the command as well, and the line of the script after it; it prints `WARNING:` before a
+warning. A message says what is wrong and, where there is one, the remedy. The page linked in each heading says more, and
+[another page](warnings.md#warnings) explains when each warning comes. Errors of LAMMPS itself are explained in
+[its manual](https://docs.lammps.org/Errors_messages.html).
 
-The ranges and keywords of single coefficients are not listed: such errors all read *… = … is out of range, it must be …* or *unknown keyword …, expected …*,
-and each style's page has a table of its coefficients. Nor are words that a message chooses from several.
+The ranges and keywords of single coefficients are not listed: such errors all read *… = … is out of range, it must be …* or
+*unknown keyword …, expected …*, and each style's page has a table of its coefficients. Words that a message chooses from several are not
+listed either.
 """
 
 
