@@ -41,7 +41,8 @@ GROUPS = [
     ("what is checked during a run", "warnings.md#warnings", ["fix_potdem_monitor", "fix_potdem_refresh"]),
     ("the plugin", "install.md#the-plugin-for-a-lammps-that-is-there", ["plugin"]),
     ("every command", "index.md",
-     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "potdem_restart_block"]),
+     ["potdem_input", "potdem_law_io", "potdem_any_law", "potdem_width", "potdem_gather", "potdem_swap", "potdem_restart_block",
+      "fix_potdem_resume"]),
 ]
 
 HEAD = """# Errors and warnings
