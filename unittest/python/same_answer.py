@@ -129,7 +129,8 @@ def compute(way, folder, lmp):
     kept = {name: os.environ.get(name) for name in way.environment}
     os.environ.update(way.environment)
     try:
-        done = running.run(script, variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp, threads=way.threads)
+        done = running.run(script, variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp,
+                           threads=way.threads)
     finally:
         for name, value in kept.items():
             if value is None:
