@@ -12,6 +12,9 @@ set(POTDEM_FLOATING_POINT -fno-math-errno -fno-trapping-math -ffp-contract=off)
 # psabi: see core/laws/four.h
 set(POTDEM_WARNINGS -Wall -Wextra -Wno-psabi)
 
+# for what looks at the package itself: coverage, sanitizers (unittest/trust)
+set(POTDEM_EXTRA_OPTIONS "" CACHE STRING "further options with which the sources of POTDEM, not those of LAMMPS, are compiled and linked")
+
 # messages name their place in the source by __FILE__: without the folder on the machine that it was compiled on
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-fmacro-prefix-map=/a/=/b/ POTDEM_CAN_MAP_FILES)
@@ -37,7 +40,8 @@ function(potdem_compile_settings target)
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:lammps,COMPILE_DEFINITIONS>)
   potdem_without_folder(options ${POTDEM_DIR})
   target_compile_options(${target} PRIVATE ${POTDEM_WARNINGS})
-  target_compile_options(${target} PRIVATE ${POTDEM_FLOATING_POINT} ${options})
+  target_compile_options(${target} PRIVATE ${POTDEM_FLOATING_POINT} ${options} ${POTDEM_EXTRA_OPTIONS})
+  target_link_options(${target} PRIVATE ${POTDEM_EXTRA_OPTIONS})
   if(BUILD_OMP)
     target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
   endif()

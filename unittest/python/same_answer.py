@@ -12,6 +12,10 @@ import numpy as np
 from potdem import dumps, running, scripts
 
 WHOLE, BROKEN = 120, 900    # steps: before the first failure, and at the end
+# sums in another order: 1e-16 of the largest value, growing over 120 steps of vibration and contact
+ROUNDING = 1e-12
+# velocity Verlet errs with the square of the step, bonds that fail in it besides: 1.1e-5 of the kinetic energy here, the same on every way
+ENERGY = 3e-5
 
 # Two blocks in free space, of which one flies into the other and turns: both break. Friction with springs, dashpots in the bonds. The
 # IDs go by place, so that the strengths, which are scattered by them, are those of the same bonds however the particles were made

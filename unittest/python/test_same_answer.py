@@ -7,11 +7,6 @@ import pytest
 import same_answer
 from conftest import PLAIN, THROUGH_PLUGIN
 
-# sums in another order: 1e-16 of the largest value, growing over 120 steps of vibration and contact
-ROUNDING = 1e-12
-# velocity Verlet errs with the square of the step, bonds that fail in it besides: 1.1e-5 of the kinetic energy here, the same on every way
-ENERGY = 3e-5
-
 
 @pytest.fixture(scope="module")
 def base(lmp, tmp_path_factory):
@@ -35,8 +30,8 @@ def test_the_same_answer(lmp, build, base, tmp_path, name):
         pytest.skip("this is the pass through the plugin" if THROUGH_PLUGIN else f"{way.lmp.name} without styles was not built")
     answer = same_answer.compute(way, tmp_path, lmp)
     assert answer.failed_before == 0
-    assert same_answer.deviation(answer, base) <= (0.0 if way.same_bits else ROUNDING)
+    assert same_answer.deviation(answer, base) <= (0.0 if way.same_bits else same_answer.ROUNDING)
     drifts = same_answer.drifts(answer)
     assert drifts["bonds"] == 0
-    assert drifts["momentum"] < ROUNDING
-    assert drifts["energy"] < ENERGY
+    assert drifts["momentum"] < same_answer.ROUNDING
+    assert drifts["energy"] < same_answer.ENERGY
