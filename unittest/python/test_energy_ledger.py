@@ -141,6 +141,29 @@ run 10000
     assert np.abs(total - total[0]).max() < 2e-3 * terms["wall work"][-1]
 
 
+FIXES = ["fix floor all potdem/wall/region floor law hertz 1e4 0.3 friction 0.4 10", "fix drag all potdem/damping 0.2"]
+
+
+@pytest.mark.parametrize("nprocs, newton", [(1, "on"), (2, "on"), (2, "off")])
+def test_the_heat_of_the_first_step_whatever_is_defined_first(run_lammps, nprocs, newton):
+    """grains that slide on each other and on a floor, damped: half of the first step has the forces at the start, of all fixes"""
+    script = scripts.box(10, newton=newton, atom_style="sphere") + scripts.particles(
+        [(0.48 * k, 0, 0.49, 1.0) for k in (-3, -1, 1, 3)]) + "set group all density 1.0\npair_style potdem/hertz\n"
+    script += "pair_coeff * * 1e4 0.3 viscous 1e-3 friction 0.3 5\nregion floor plane 0 0 0 0 0 1 units box\nfix move all nve\ntimestep 1e-4\n"
+    script += "variable vy atom 0.5+0.3*x\nvelocity all set 0.4 v_vy 0\n"
+    ledger = "compute ledger all potdem/energy\n"
+    out = "thermo 1\nthermo_style custom step c_ledger c_ledger[7] c_ledger[8] c_ledger[9]\nthermo_modify format float %.17g\nrun 1\n"
+    orders = [ledger + "\n".join(FIXES), f"{FIXES[0]}\n{ledger}{FIXES[1]}", "\n".join(FIXES) + "\n" + ledger]
+    runs = [run_lammps(script + order + "\n" + out, nprocs=nprocs).thermo for order in orders]
+    for term in ("c_ledger[7]", "c_ledger[8]", "c_ledger[9]"):
+        heat = [run[term][1] for run in runs]
+        assert heat[0] == pytest.approx(heat[2], rel=1e-12) and heat[1] == pytest.approx(heat[2], rel=1e-12)
+        assert heat[2] != 0.0 or term == "c_ledger[8]"
+    # a step of a second-order rule errs with the third power of the step; half a step's heat missing, with the first
+    heat = runs[0]["c_ledger[7]"][1] + runs[0]["c_ledger[9]"][1]
+    assert abs(runs[0]["c_ledger"][1] - runs[0]["c_ledger"][0]) < 1e-3 * heat
+
+
 def test_wrong_use(run_lammps):
     start = "units lj\natom_style bpm/sphere\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\n"
     for lines, words in (("compute e all potdem/energy now", "unknown keyword 'now'"),

@@ -83,6 +83,7 @@ bool FixPotdemDamping::amplifies(int i) const
 void FixPotdemDamping::setup(int vflag)
 {
   post_force(vflag);
+  if (ledger) ledger->setup(vflag);
 }
 
 void FixPotdemDamping::post_force(int /*vflag*/)

@@ -70,6 +70,7 @@ void FixPotdemLedger::pre_force(int /*vflag*/)
   for (double &power : slip_power) power = 0.0;
 }
 
+// also asked by fixes that note forces and come later
 void FixPotdemLedger::setup(int /*vflag*/)
 {
   if (!begun) {
@@ -101,7 +102,7 @@ double FixPotdemLedger::power(int which, double **v) const
 // heat of each kind, and work of the walls, per time
 std::array<double, FixPotdemLedger::NKINDS + 1> FixPotdemLedger::powers()
 {
-  if (force->newton_pair) comm->reverse_comm(this);
+  if (force->newton_pair) bring_back();
   std::array<double, NKINDS + 1> mine{}, all{};
   for (int kind = 0; kind < NKINDS; kind++) mine[kind] = slip_power[kind] - power(kind, atom->v);
   if (atom->omega_flag) mine[FRICTION] -= power(TORQUE, atom->omega);
@@ -111,6 +112,15 @@ std::array<double, FixPotdemLedger::NKINDS + 1> FixPotdemLedger::powers()
 }
 
 /* ---------------------------------------------------------------------- */
+
+// once: what ghosts had is then with their particles
+void FixPotdemLedger::bring_back()
+{
+  comm->reverse_comm(this);
+  for (int which = 0; which < NFORCES; which++)
+    if (noted[which])
+      std::fill(forces[which].begin() + atom->nlocal, forces[which].end(), std::array<double, 3>{});
+}
 
 int FixPotdemLedger::pack_reverse_comm(int n, int first, double *buf)
 {

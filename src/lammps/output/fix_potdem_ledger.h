@@ -91,6 +91,7 @@ class FixPotdemLedger : public Fix {
     }
   }
   double power(int which, double **v) const;
+  void bring_back();
   std::array<double, NKINDS + 1> powers();
 };
 

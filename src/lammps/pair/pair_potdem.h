@@ -108,9 +108,9 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   // one pair
   void find_alarm(int i, int j);
   double stiff_from(int i, int j, double ri, double rj) const;
-  bool is_deep(int i, int j, double r) const;
-  void suspect(ThreadShare &, int i,
-               int j) const;    // no address of what the loop keeps in registers
+  static bool is_deep(const Kernel &, double r, const POTDEM::ContactGeometry &);
+  // by value: no address of what the loop keeps in registers
+  void suspect(ThreadShare &, int i, int j, double r, POTDEM::ContactGeometry) const;
   POTDEM::ContactMotion motion(int i, int j) const;
   POTDEM::ContactMasses masses(int i, int j, double arm) const;
   void dissipative(int pair, int i, int j, double r, double weight);
@@ -125,7 +125,7 @@ template <class Law> class PairPotdem : public PairPotdemBase {
   void choose_rate(ThreadShare &, const Tangential *);
   template <class Tangential, class Rate, bool SPIN, bool EV>
   void loop(ThreadShare &, const Tangential *, const Rate *);
-  bool is_collapsed(ThreadShare &, int i, int j, const POTDEM::ContactGeometry &) const;
+  bool is_collapsed(ThreadShare &, int i, int j, double r, POTDEM::ContactGeometry) const;
 
   // arrays of particles
   struct Particles {

@@ -78,18 +78,21 @@ template <class Law> void PairPotdem<Law>::reset_dt()
   update->dt = step;
 }
 
-template <class Law> bool PairPotdem<Law>::is_deep(int i, int j, double r) const
+template <class Law>
+bool PairPotdem<Law>::is_deep(const Kernel &kernel, double r,
+                              const POTDEM::ContactGeometry &partners)
 {
-  return r < FixPotdemMonitor::DEEP * geometry(i, j).contact && hard_core(i, j) == 0.0;
+  return r < FixPotdemMonitor::DEEP * partners.contact && kernel.hard_core(partners) == 0.0;
 }
 
-template <class Law> void PairPotdem<Law>::suspect(ThreadShare &share, int i, int j) const
+template <class Law>
+void PairPotdem<Law>::suspect(ThreadShare &share, int i, int j, double r,
+                              POTDEM::ContactGeometry partners) const
 {
   if (share.doubtful_i >= 0) return;
   const auto &kernel = kernels[at(atom->type[i], atom->type[j])];
-  const double r = distance(i, j);
-  if (!is_deep(i, j, r) &&
-      !monitor->pair_too_stiff_for_step(i, j, kernel.evaluate(r, geometry(i, j)).stiffness))
+  if (!is_deep(kernel, r, partners) &&
+      !monitor->pair_too_stiff_for_step(i, j, kernel.evaluate(r, partners).stiffness))
     return;
   share.doubtful_i = i;
   share.doubtful_j = j;
@@ -103,7 +106,7 @@ template <class Law> void PairPotdem<Law>::report(const ThreadShare &share)
   const auto &kernel = kernels[at(atom->type[i], atom->type[j])];
   const auto partners = geometry(i, j);
   const double r = distance(i, j);
-  if (is_deep(i, j, r))
+  if (is_deep(kernel, r, partners))
     monitor->warn_of_deep_pair(i, j, r / partners.dbar());
   else
     monitor->warn_of_stiff_pair("The contact of", i, j, kernel.evaluate(r, partners).stiffness);

@@ -150,7 +150,7 @@ void PairPotdem<Law>::loop(ThreadShare &share, const Tangential *rough, const Ra
       const double begins = remembering ? kept.begins(jj) : 0.0;
       const auto partners = begins != 0.0 ? geometry(i, j, begins)
                                           : POTDEM::ContactGeometry{ri, rj, ri + rj};
-      if (!(r2 > near * near) && is_collapsed(share, i, j, partners)) return;
+      if (!(r2 > near * near) && is_collapsed(share, i, j, sqrt(r2), partners)) return;
 
       const int l = lanes.n++;
       lanes.i[l] = i;
@@ -196,15 +196,15 @@ PairPotdem<Law>::Particles::Particles(const Atom *atom, const ThreadShare &share
 
 // a pair nearer than any that can be passed over without a look (true for NaN, too): collapsed, or only doubtful
 template <class Law>
-bool PairPotdem<Law>::is_collapsed(ThreadShare &share, int i, int j,
-                                   const POTDEM::ContactGeometry &partners) const
+bool PairPotdem<Law>::is_collapsed(ThreadShare &share, int i, int j, double r,
+                                   POTDEM::ContactGeometry partners) const
 {
-  if (!(distance(i, j) > kernels[at(atom->type[i], atom->type[j])].hard_core(partners))) {
+  if (!(r > kernels[at(atom->type[i], atom->type[j])].hard_core(partners))) {
     share.i = i;
     share.j = j;
     return true;
   }
-  if (monitor) suspect(share, i, j);
+  if (monitor) suspect(share, i, j, r, partners);
   return false;
 }
 

@@ -184,6 +184,7 @@ void FixPotdemWallRegion::check_rotation()
 void FixPotdemWallRegion::setup(int vflag)
 {
   post_force(vflag);
+  if (ledger) ledger->setup(vflag);
 }
 
 void FixPotdemWallRegion::min_setup(int vflag)
