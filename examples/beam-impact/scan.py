@@ -43,9 +43,10 @@ def pieces(frames):
 
 def broken(folder, frames, hit):
     """numbers of broken bonds: all, near the clamp, near the middle of the block"""
-    rows = dumps.read(folder / "dump.failed")[-1]
+    lists = [frame for name in ("dump.earlier", "dump.failed") if (folder / name).exists() for frame in dumps.read(folder / name)]
+    pairs = {pair for rows in lists for pair in zip(rows["f_fail[3]"], rows["f_fail[4]"])}    # of a run that went on: of both parts
     started = dict(zip(frames[0]["id"], frames[0]["x"]))
-    middles = np.array([(started[i] + started[j]) / 2 for i, j in zip(rows["f_fail[3]"], rows["f_fail[4]"])])
+    middles = np.array([(started[i] + started[j]) / 2 for i, j in pairs])
     return middles.size, np.sum(middles < CLAMP_END * LENGTH), np.sum(np.abs(middles - hit) < WIDTH)
 
 

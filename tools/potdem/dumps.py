@@ -65,11 +65,12 @@ class _Place:
 
 class Dump:
     """the frames of a dump, each read when it is asked for; of several files too (a name with * in the script). A frame that is not
-    written to its end is left out, and `cut` names its file"""
+    written to its end is left out, and `cut` names its file. Of frames of the same step in a file, as of a run that went on, the last"""
 
     def __init__(self, *paths):
         self.paths, self.cut, self.units = [Path(path) for path in paths], None, None
-        self.places = sorted((place for path in self.paths for place in self._index(path)), key=lambda place: place.step)
+        found = (place for path in self.paths for place in {place.step: place for place in self._index(path)}.values())
+        self.places = sorted(found, key=lambda place: place.step)
         if not self.places:
             what = "its only frame is not complete" if self.cut else "it has no frame"
             raise DumpError(f"{self.paths[0]}: {what}. tools/see reads the text files of dump custom and dump local")

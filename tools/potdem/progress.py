@@ -16,6 +16,7 @@ class Progress:
 
     def __init__(self, title):
         self.title, self.total, self.step = title, 0, 0
+        self.begun = None    # first step, not 0 where a run goes on
         self.start = self.shown = time.monotonic()
         self.in_thermo = False
         self.terminal = sys.stdout.isatty()
@@ -31,6 +32,7 @@ class Progress:
             self.in_thermo = False
         elif self.in_thermo and words and words[0].isdigit():
             self.step = int(words[0])
+            self.begun = self.step if self.begun is None else self.begun
             self.show()
 
     @property
@@ -41,7 +43,7 @@ class Progress:
         elapsed = time.monotonic() - self.start
         if not self.total:
             return f"{self.title}: step {self.step}, {clock(elapsed)}"
-        return f"{self.title}: {bar(self.fraction, elapsed)}"
+        return f"{self.title}: {bar(self.fraction, elapsed, (self.begun or 0) / self.total)}"
 
     def show(self):
         now = time.monotonic()
@@ -148,8 +150,8 @@ class Together:
             print(("\r\033[K" if self.terminal else "") + text, flush=True)
 
 
-def bar(fraction, elapsed):
-    left = clock(elapsed * (1.0 - fraction) / fraction) if fraction > 0 else "-:--"
+def bar(fraction, elapsed, begun=0.0):
+    left = clock(elapsed * (1.0 - fraction) / (fraction - begun)) if fraction > begun else "-:--"
     return f"[{('#' * round(30 * fraction)).ljust(30, '.')}] {100 * fraction:3.0f} %, {left} left"
 
 

@@ -4,6 +4,8 @@
 """Runs a scene's variants, compares each with its reference log and draws its picture (see examples/run)."""
 
 import argparse
+import hashlib
+import json
 import os
 import shutil
 import subprocess
@@ -13,8 +15,11 @@ from pathlib import Path
 from potdem import compare, logs, paraview, running
 from potdem.paths import with_package
 from potdem.progress import Progress
-from potdem.scenes import run_script
+from potdem.scenes import resume, run_script
 from potdem.scenes import scene as scenes
+
+
+SETTINGS = "settings.json"    # of a run with restart files: its variables
 
 
 class Failure(Exception):
@@ -32,18 +37,64 @@ def list_scenes():
     print("\nThe variants marked * run when none is named.")
 
 
-def simulate(variant, nprocs, progress):
-    """the log of a new run"""
+def of_run(variant):
+    """what must be the same when a run goes on"""
+    script = (variant.scene.folder / variant.scene.script).read_bytes()
+    return {"variables": variant.variables, "script": hashlib.sha256(script).hexdigest()}
+
+
+def can_resume(variant):
+    if not run_script.takes((variant.scene.folder / variant.scene.script).read_text(encoding="utf-8"), "resume"):
+        raise Failure(f"{variant.scene.name} writes no restart files: its runs take seconds. Begin anew without --restart and --resume")
+
+
+def begin(variant, nprocs, restart):
+    """(variables of a new run, None)"""
     folder = variant.output(nprocs)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    if not restart:
+        return {}, None
+    can_resume(variant)
+    (folder / SETTINGS).write_text(json.dumps({"restart": restart, **of_run(variant)}), encoding="utf-8")
+    return {"restart": restart}, None
+
+
+def go_on(variant, nprocs, restart):
+    """(variables of a run that goes on, what the one before left)"""
+    can_resume(variant)
+    folder = variant.output(nprocs)
+    stopped = resume.Stopped(folder / "log.running", variant.scene.folder)
+    file = resume.newest(sorted(folder.glob("*.restart")))
+    if not stopped.log.exists() and list(folder.glob("log.*")):
+        raise Failure(f"{variant.label} on {nprocs} rank(s) has ended, there is nothing to go on with: {folder}")
+    if not file or not (folder / SETTINGS).exists():
+        others = {path.parent.name for path in folder.parent.glob(f"{folder.name.rsplit('.np', 1)[0]}.np*/*.restart")} - {folder.name}
+        raise Failure(f"{variant.label} on {nprocs} rank(s) has no complete restart file in {folder}: --restart N writes one every N steps"
+                      + (f". There are some in {', '.join(sorted(others))}" if others else ""))
+    written = json.loads((folder / SETTINGS).read_text(encoding="utf-8"))
+    before = written.pop("restart")
+    if written != json.loads(json.dumps(of_run(variant))):
+        raise Failure(f"{variant.label} was begun with another {variant.scene.script} or other variables than now: {folder}. Begin anew")
+    path, step = file
+    print(f"{variant.label} goes on from step {step}, {path}", flush=True)
+    stopped.cut(step)
+    return {"restart": restart or before, "resume": os.path.relpath(path, variant.scene.folder)}, stopped
+
+
+def simulate(variant, nprocs, progress, restart=None, resumes=False):
+    """the log of a run that is made, or of one that was stopped and goes on; restart: steps between restart files"""
+    folder = variant.output(nprocs)
+    more, stopped = (go_on if resumes else begin)(variant, nprocs, restart)
     log = folder / "log.running"
     # relative, because LAMMPS repeats it in the log, which may become a reference
     out = os.path.relpath(folder, variant.scene.folder)
-    arguments = running.command(variant.scene.script, {**variant.variables, "out": out}, log, nprocs)
+    arguments = running.command(variant.scene.script, {**variant.variables, "out": out, **more}, log, nprocs)
     problem = running.watched(arguments, variant.scene.folder, progress)
     if problem:
         raise Failure(f"{problem}\nlog: {log}\ncommand: {' '.join(arguments)}")
+    if stopped:
+        stopped.join()
     return log.rename(folder / variant.log_name(scenes.version_of(log), nprocs))
 
 
@@ -96,7 +147,8 @@ def write_for_paraview(variant, folder):
 
 
 def run_variant(variant, arguments):
-    log = simulate(variant, arguments.np, Progress(f"{variant.label} on {arguments.np} rank(s)"))
+    progress = Progress(f"{variant.label} on {arguments.np} rank(s)")
+    log = simulate(variant, arguments.np, progress, arguments.restart, arguments.resume)
     if arguments.update_reference and variant.has_reference:
         make_reference(variant, log)
     reference, checks = check(variant, log, arguments.np)
@@ -124,12 +176,16 @@ def parse(argv):
     parser.add_argument("--update-reference", action="store_true")
     parser.add_argument("--animate", action="store_true")
     parser.add_argument("--paraview", action="store_true")
+    parser.add_argument("--restart", type=int, metavar="N")
+    parser.add_argument("--resume", action="store_true")
     parser.add_argument("-var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"))
     arguments = parser.parse_intermixed_args(argv)
     if not arguments.list and not arguments.scene:
         parser.error("which scene? (--list names them)")
     if arguments.np < 1:
         parser.error("-np must be at least 1")
+    if arguments.restart is not None and arguments.restart < 1:
+        parser.error("--restart must be at least 1: steps between two restart files")
     return arguments
 
 
@@ -153,5 +209,5 @@ def main(argv):
 if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
-    except (Failure, run_script.Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
+    except (Failure, resume.Failure, run_script.Failure, scenes.SceneError, logs.LogError, compare.RuleError) as problem:
         sys.exit(str(problem))

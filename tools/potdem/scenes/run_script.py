@@ -8,6 +8,7 @@ from pathlib import Path
 
 from potdem import commands, dumps, logs, look, running, see
 from potdem.progress import OfScript
+from potdem.scenes import resume
 
 LOG = "log.lammps"
 
@@ -37,16 +38,48 @@ def planned(text):
     return [int(steps) if steps.isdecimal() and "upto" not in more else None for steps, more in runs]
 
 
+def takes(text, name):
+    """whether a script reads a variable"""
+    return re.search(rf"\$\{{{name}\}}|\bv_{name}\b", text) is not None
+
+
+def needs(script, text, name):
+    if not takes(text, name):
+        raise Failure(f"{script} reads no variable {name}. How to write a script that goes on: docs/howto_restart.md")
+
+
+def go_on(script, text, stopped):
+    """the newest restart file of a run that was stopped"""
+    needs(script, text, "resume")
+    file = resume.newest(resume.files_of_log(stopped.log)) if stopped.log.exists() else None
+    if not file:
+        raise Failure(f"{script} has no complete restart file to go on from: the command restart of {stopped.log} names none that is there")
+    path, step = file
+    print(f"{script} goes on from step {step}, {path}", flush=True)
+    stopped.cut(step)
+    return path
+
+
 def run(arguments):
     """with the arguments of examples/run; the folder of the run"""
     script = script_of(arguments.scene)
     folder = script.resolve().parent
-    plan = planned(script.read_text(encoding="utf-8", errors="replace"))
+    text = script.read_text(encoding="utf-8", errors="replace")
+    plan = planned(text)
     variables = {name: values for name, *values in arguments.var}
+    stopped = resume.Stopped(folder / LOG)
+    if arguments.restart:
+        needs(script, text, "restart")
+        variables["restart"] = arguments.restart
+    if arguments.resume:
+        variables["resume"] = go_on(script, text, stopped)
+    else:
+        stopped.forget()
     line = [*running.command(script.name, variables, LOG, arguments.np), "-echo", "both"]
     problem = running.watched(line, folder, OfScript(f"{script.name} on {arguments.np} rank(s)", plan))
     if problem:
         raise Failure(f"{problem}\nlog: {folder / LOG}\ncommand, in {folder}: {' '.join(line)}")
+    stopped.join()
     warnings = re.findall(r"^WARNING: (.*)", logs.read(folder / LOG), re.MULTILINE)
     for text in dict.fromkeys(warnings):
         print(f"WARNING: {text}")
@@ -58,8 +91,8 @@ def show(folder, arguments):
     """pictures of the dumps of particles"""
     wishes = [option for option, wanted in (("--film", arguments.animate), ("--vtk", arguments.paraview)) if wanted]
     shown = False
-    for words in commands.of_log(folder / LOG).dumps:
-        style, name = (words[3], words[5]) if words[0] == "dump" else words[2:4]
+    written = [(words[3], words[5]) if words[0] == "dump" else words[2:4] for words in commands.of_log(folder / LOG).dumps]
+    for style, name in dict.fromkeys(map(tuple, written)):
         file = folder / name
         if style in ("custom", "atom") and file.exists():
             shown = True

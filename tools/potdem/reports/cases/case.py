@@ -63,9 +63,9 @@ def lammps(series, knob, script, variables, quantities, loop=False, peer=False):
 
 def ending(script, lines):
     """text of a scene's script with other lines in place of its run"""
-    text, count = re.subn(r"^run +\$\{steps\}$", lines, Path(script).read_text(encoding="utf-8"), flags=re.MULTILINE)
+    text, count = re.subn(r"^run +\$\{steps\} upto$", lines, Path(script).read_text(encoding="utf-8"), flags=re.MULTILINE)
     if count != 1:
-        raise ValueError(f"{script} has no line 'run ${{steps}}'")
+        raise ValueError(f"{script} has no line 'run ${{steps}} upto'")
     return text
 
 
