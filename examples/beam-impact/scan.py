@@ -43,8 +43,9 @@ def pieces(frames):
 
 def broken(folder, frames, hit):
     """numbers of broken bonds: all, near the clamp, near the middle of the block"""
-    lists = [frame for name in ("dump.earlier", "dump.failed") if (folder / name).exists() for frame in dumps.read(folder / name)]
-    pairs = {pair for rows in lists for pair in zip(rows["f_fail[3]"], rows["f_fail[4]"])}    # of a run that went on: of both parts
+    # a run that went on lists what broke since then
+    lists = [frame for path in [folder / "dump.failed", *folder.glob("dump.earlier.*")] for frame in dumps.read(path)]
+    pairs = {pair for rows in lists for pair in zip(rows["f_fail[3]"], rows["f_fail[4]"])}
     started = dict(zip(frames[0]["id"], frames[0]["x"]))
     middles = np.array([(started[i] + started[j]) / 2 for i, j in pairs])
     return middles.size, np.sum(middles < CLAMP_END * LENGTH), np.sum(np.abs(middles - hit) < WIDTH)
