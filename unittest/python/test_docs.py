@@ -396,7 +396,7 @@ def test_commands_of_an_example_name_programs_where_they_are(page):
 RUN_BY = {
     "README.md": "test_docs", "developer.md": "test_walk_through", "howto_body.md": "test_howtos",
     "howto_grains.md": "test_howto_grains", "howto_lammps.md": "test_howto_lammps", "howto_mixed.md": "test_howtos",
-    "howto_parallel.md": "test_howtos", "howto_python.md": "test_simulation", "howto_translate.md": "test_howtos",
+    "howto_parallel.md": "test_howtos", "howto_python.md": "test_simulation", "howto_restart.md": "test_howtos", "howto_translate.md": "test_howtos",
     "howto_walls.md": "test_howtos", "materials.md": "test_materials", "see.md": "test_see", "tutorial.md": "test_docs",
 }
 

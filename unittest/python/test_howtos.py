@@ -8,12 +8,13 @@ import re
 import numpy as np
 import pytest
 
-from potdem import logs
+from potdem import dumps, logs
 from potdem.paths import DOCS
+from potdem.scenes import resume
 from potdem.text import replaced
 
 BLOCK = re.compile(r"^`(\w+\.lmp)`\n\n```LAMMPS\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-NAMES = {"body": ["bar"], "walls": ["piston", "shaker", "drum"], "parallel": ["balance"],
+NAMES = {"body": ["bar"], "walls": ["piston", "shaker", "drum"], "parallel": ["balance"], "restart": ["tower"],
          "translate": ["bpm", "truss", "granular", "hertz"], "mixed": ["mixed"]}
 
 
@@ -134,3 +135,68 @@ def test_bonded_body_with_granular(run, run_lammps, nprocs):
 def test_bonds_fail_beside_granular(run_lammps):
     thermo = run_lammps(replaced(SCRIPTS["mixed.lmp"], "run             6000", "run             4500"), vars={"strength": 3e4}).thermo
     assert thermo["Bonds"][-1] < thermo["Bonds"][0] - 200
+
+
+# --- stop and go on --------------------------------------------------------------------------------------------------------------
+
+END = "\nwrite_dump all custom end.dump id x y z vx vy vz modify sort id format float %.17g\n"
+LAST_RUN = "run             10000 upto"
+
+
+@pytest.fixture
+def tower(run_lammps, tmp_path):
+    """in a folder, from a restart file if one is given; (thermo output, all digits of the last state)"""
+    def start(folder, runs="run 5000 upto", file=None, **more):
+        (tmp_path / folder).mkdir(exist_ok=True)
+        variables = ({} if file is None else {"resume": file}) | more.pop("vars", {})
+        done = run_lammps(replaced(SCRIPTS["tower.lmp"], LAST_RUN, runs) + END, cwd=tmp_path / folder, vars=variables, **more)
+        return done.thermo, (tmp_path / folder / "end.dump").read_text(encoding="utf-8")
+    return start
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_tower_goes_on_to_the_last_bit(tower, tmp_path, nprocs):
+    """from both files, without a dump that repeats a frame where it was cut; bodies break before and after"""
+    thermo, end = tower("whole", nprocs=nprocs)
+    assert 0 < thermo["f_cracks"][1] < thermo["f_cracks"][-1] and thermo["Step"][-1] == 5000
+    for name, step in (("a.restart", 2000), ("b.restart", 4000)):
+        again, end_again = tower("rest", file=tmp_path / "whole" / name, nprocs=nprocs)
+        assert again["Step"][0] == step and end_again == end
+        assert all((again[column] == thermo[column][step // 1000:]).all() for column in thermo)
+
+
+def test_tower_goes_on_with_the_second_of_two_runs(tower, tmp_path):
+    _, end = tower("whole", "run 3000 upto\nwrite_restart between.restart\nrun 5000 upto")
+    assert tower("rest", file=tmp_path / "whole" / "between.restart")[1] == end
+
+
+def test_tower_goes_on_on_other_ranks_up_to_rounding(tower, tmp_path):
+    """over 100 steps in which bonds fail: 1e-15 of each step's sums grows by what contacts and failures add"""
+    tower("whole", "run 1500 upto", vars={"restart": 500})
+    step = tmp_path / "whole" / "b.restart"
+    one, other = (tower(f"on-{nprocs}", "run 1100 upto", file=step, nprocs=nprocs)[0] for nprocs in (1, 2))
+    assert one["Step"][0] == 1000 and one["f_cracks"][-1] == other["f_cracks"][-1] > one["f_cracks"][0]
+    assert other["KinEng"][-1] == pytest.approx(one["KinEng"][-1], rel=1e-6)
+
+
+def test_tower_ends_in_time_and_goes_on(tower, tmp_path):
+    """a job that would take an hour has a second; the next one comes to the same state"""
+    _, end = tower("first", "run 20000000 upto", vars={"limit": "0:00:01", "restart": 100})
+    stopped = dumps.read(tmp_path / "first" / "end.dump")[0].step
+    file, step = resume.newest([tmp_path / "first" / name for name in ("a.restart", "b.restart")])
+    assert 0 < step <= stopped < 20000000
+    assert tower("next", f"run {stopped} upto", file=file, vars={"restart": 100})[1] == end
+
+
+def test_files_that_were_damaged_are_refused_and_named_as_the_page_does(tower, run_lammps, tmp_path):
+    tower("whole", "run 100 upto", vars={"restart": 50})
+    file = tmp_path / "whole" / "b.restart"
+    data = file.read_bytes()
+    page = " ".join((DOCS / "howto_restart.md").read_text(encoding="utf-8").split())
+    file.write_bytes(data[:len(data) // 2])
+    error = run_lammps(SCRIPTS["tower.lmp"], vars={"resume": file}, expect_error="").error
+    assert f"*{error}*" in page
+    # of a coefficient's text
+    place = data.index(b"PTDM") + 20
+    file.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1:])
+    assert "damaged" in run_lammps(SCRIPTS["tower.lmp"], vars={"resume": file}, expect_error="").error

@@ -134,7 +134,8 @@ class Started:
         """kill -9 of everything, once the log has come to a step; what was shown"""
         process = self.begin(*arguments)
         while process.poll() is None:
-            if log.exists() and (steps := [row for _, row in resume.rows(logs.read(log).splitlines(keepends=True))]) and steps[-1] >= step:
+            text = logs.read(log) if log.exists() else ""
+            if any(row >= step for _, row in resume.rows(text.splitlines(keepends=True))):
                 for pid in [*children(process.pid), process.pid]:
                     os.kill(pid, signal.SIGKILL)
                 break
@@ -146,7 +147,7 @@ class Started:
 
 @pytest.fixture
 def examples(lmp, tmp_path):
-    """a tree with a copy of the package and of the scene hopper with variants of its own; it has a reference of a run that was not stopped"""
+    """a tree with a copy of the package and of the scene hopper, with variants of its own"""
     shutil.copytree(TOOLS / "potdem", tmp_path / "tools" / "potdem")
     (tmp_path / "build").mkdir()
     (tmp_path / "build" / "lmp").symlink_to(lmp)
@@ -289,8 +290,9 @@ def test_a_file_that_was_not_written_to_its_end_is_left_out(run_lammps, tmp_path
     assert resume.newest([older, newer]) is None
 
 
-@pytest.mark.parametrize("command, names", [("restart 20 a.restart b.restart", ["a.restart", "b.restart"]), ("restart 20 run", ["run.20", "run.40"]),
-                                            ("restart 20 run.*.bin", ["run.20.bin", "run.40.bin"]), ("restart 0", [])])
+@pytest.mark.parametrize("command, names", [
+    ("restart 20 a.restart b.restart", ["a.restart", "b.restart"]), ("restart 20 run", ["run.20", "run.40"]),
+    ("restart 20 run.*.bin", ["run.20.bin", "run.40.bin"]), ("restart 0", [])])
 def test_files_are_found_by_the_command_of_the_log(run_lammps, tmp_path, command, names):
     run_lammps(replaced(SCRIPT, "run 3000 upto", command + "\nrun 40"))
     assert sorted(path.name for path in resume.files_of_log(tmp_path / "log.test")) == names
