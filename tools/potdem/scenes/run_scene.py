@@ -66,8 +66,6 @@ def go_on(variant, nprocs, restart):
     folder = variant.output(nprocs)
     stopped = resume.Stopped(folder / "log.running", variant.scene.folder)
     file = resume.newest(sorted(folder.glob("*.restart")))
-    if not stopped.log.exists() and list(folder.glob("log.*")):
-        raise Failure(f"{variant.label} on {nprocs} rank(s) has ended, there is nothing to go on with: {folder}")
     if not file or not (folder / SETTINGS).exists():
         others = {path.parent.name for path in folder.parent.glob(f"{folder.name.rsplit('.np', 1)[0]}.np*/*.restart")} - {folder.name}
         raise Failure(f"{variant.label} on {nprocs} rank(s) has no complete restart file in {folder}: --restart N writes one every N steps"
@@ -85,6 +83,10 @@ def go_on(variant, nprocs, restart):
 def simulate(variant, nprocs, progress, restart=None, resumes=False):
     """the log of a run that is made, or of one that was stopped and goes on; restart: steps between restart files"""
     folder = variant.output(nprocs)
+    ended = [path for path in folder.glob("log.*") if path.name != "log.running"]
+    if resumes and ended:
+        print(f"{variant.label} on {nprocs} rank(s) had come to its end")
+        return ended[0]
     more, stopped = (go_on if resumes else begin)(variant, nprocs, restart)
     log = folder / "log.running"
     # relative, because LAMMPS repeats it in the log, which may become a reference
