@@ -225,9 +225,10 @@ bool BondPotdemBase::owns(int type) const
   return type > 0 && setflag[type] && potdem_serves(force, this, type);
 }
 
+// each bond has its own. By this LAMMPS would only guess how far ghosts must reach, and warn of what is set here
 double BondPotdemBase::equilibrium_distance(int /*type*/)
 {
-  return longest;
+  return 0.0;
 }
 
 /* ----------------------------------------------------------------------

@@ -36,6 +36,8 @@ using namespace LAMMPS_NS;
 static constexpr double SHELL_TOLERANCE = 1e-4;
 // a crack must be thicker than a bond's length divided by this
 static constexpr int CRACK_SAMPLES = 64;
+// over the mean diameter: nearer centres are a slip in the diameters, which LAMMPS makes 1 whatever the units
+static constexpr double LEAST_SPACING = 0.1;
 
 /* ---------------------------------------------------------------------- */
 
@@ -65,6 +67,7 @@ void PotdemBonds::command(int narg, char **arg)
           "potdem_bonds: r_infl {} is more than half the periodic box length {}; make the box "
           "larger or r_infl smaller",
           cutoff, domain->prd[k]);
+  check_reach(cutoff);
 
   auto *const list = neighbours(cutoff);
   const bigint count = keep_bonds(list);
@@ -72,6 +75,19 @@ void PotdemBonds::command(int narg, char **arg)
   make_room(list);
   add(list);
   report(count);
+}
+
+// most likely a number of diameters without the word; a box that shrinks to the particles says nothing
+void PotdemBonds::check_reach(double cutoff) const
+{
+  double diagonal2 = 0.0;
+  for (int k = 0; k < domain->dimension; k++) diagonal2 += domain->prd[k] * domain->prd[k];
+  if (domain->nonperiodic != 2 && cutoff > sqrt(diagonal2))
+    error->all(FLERR,
+               "potdem_bonds: r_infl {:g} is longer than the diagonal {:g} of the box, so each "
+               "particle would be bonded to all others; for multiples of the diameter put "
+               "'diameters' after it",
+               cutoff, sqrt(diagonal2));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -287,6 +303,11 @@ bool PotdemBonds::will_bond(int i, int j)
   if (r == 0.0)
     error->one(FLERR, "potdem_bonds: atoms {} and {} are at the same place", atom->tag[i],
                atom->tag[j]);
+  if (r < LEAST_SPACING * dbar)
+    error->one(FLERR,
+               "potdem_bonds: atoms {} and {} are {:g} apart, less than {} of their mean diameter "
+               "{:g}; set the diameters before, with set ... diameter",
+               atom->tag[i], atom->tag[j], r, LEAST_SPACING, dbar);
   if (!region || !crosses_crack(i, j)) return true;
   if (r < dbar && atom->tag[i] < atom->tag[j]) contacts.push_back({atom->tag[i], atom->tag[j], r});
   return false;

@@ -31,6 +31,7 @@ class PotdemBonds : public Command {
   class Region *region;
   std::vector<PotdemNewContact> contacts;    // pairs that the crack cuts
 
+  void check_reach(double cutoff) const;
   void read(int, char **);
   void check_style();
   void check_atoms();

@@ -20,8 +20,12 @@
 #include "math_extra.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "output.h"
+#include "thermo.h"
+#include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -91,7 +95,7 @@ std::string FixPotdemBondHistory::gone() const
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
     FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
     widest(0.0), areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr),
-    exchanged_width(0), ends_in_file(0.0), sum_in_file(0.0)
+    exchanged_width(0), natoms_then(atom->natoms), ends_in_file(0.0), sum_in_file(0.0)
 {
   setflag = all_types.data();
 }
@@ -109,10 +113,11 @@ int FixPotdemBondHistory::setmask()
   return NSTATE > 0 ? lists | PRE_EXCHANGE | MIN_PRE_EXCHANGE : lists;
 }
 
-// as LAMMPS has it for the memory of its pair styles
+// the order of fixes as LAMMPS has it for the memory of its pair styles
 void FixPotdemBondHistory::init()
 {
   check_values();
+  look_after_removals();
   if (NSTATE == 0) return;
   for (const auto *fix : modify->get_fix_list()) {
     if (fix == this) return;
@@ -151,19 +156,33 @@ void FixPotdemBondHistory::post_run()
 
 void FixPotdemBondHistory::setup_pre_neighbor()
 {
+  if (!force->bond && atom->nbonds > 0)
+    error->all(
+        FLERR,
+        "There are {} bonds but no bond_style, so they would do nothing, and bonded particles "
+        "do not touch each other either: use bond_style potdem/truss and bond_coeff",
+        atom->nbonds);
   pre_neighbor();
 }
 
 void FixPotdemBondHistory::pre_neighbor()
 {
-  if ((comm->nprocs == 1 && !is_periodic()) || !follows_bonds()) return;
+  look_after_removals();
+  if (comm->nprocs == 1 && !is_periodic()) return;
+  if (!follows_bonds()) {
+    if (longest_now() == HUGE_VAL) refuse_lost_ends(true);
+    return;
+  }
   // a far end that is not here has an unknown distance: once more, with the widest reach first
   for (double most = HUGE_VAL; most == HUGE_VAL;) {
     const double now = MAX(ghost_cutoff, neighbor->cutneighmax);
     most = longest_now();
     if (most <= now && SPARE_REACH * most > LEAST_CHANGE * ghost_cutoff) return;
     const double wanted = MAX(MIN(SPARE_REACH * most, widest), neighbor->cutneighmax);
-    if (wanted == now) return;
+    if (wanted == now) {
+      if (most == HUGE_VAL) refuse_lost_ends(true);
+      return;
+    }
     comm->cutghostuser = ghost_cutoff = wanted;
     acquire_ghosts();
   }
@@ -207,6 +226,60 @@ double FixPotdemBondHistory::longest_now() const
     }
   MPI_Allreduce(&most2, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return sqrt(all);
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS says of a bond whose far end is not here that it is missing, not why
+------------------------------------------------------------------------- */
+
+void FixPotdemBondHistory::look_after_removals()
+{
+  if (atom->natoms < natoms_then) refuse_lost_ends(false);
+  natoms_then = atom->natoms;
+}
+
+// all_reached: there are the ghosts that bonds need, and an end that is not among them is too far away
+void FixPotdemBondHistory::refuse_lost_ends(bool all_reached) const
+{
+  if (output->thermo->lostbond != Thermo::ERROR) return;
+  struct Severed {
+    tagint tag, partner;
+    double x[3], length;
+  };
+  std::vector<Severed> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      if (atom->bond_type[i][m] <= 0 || atom->map(atom->bond_atom[i][m]) >= 0) continue;
+      const double *const x = atom->x[i];
+      mine.push_back({atom->tag[i], atom->bond_atom[i][m], {x[0], x[1], x[2]}, length(i, m)});
+    }
+  const auto all = potdem_gather(lmp, mine, "bonds with an end that is missing");
+  // of each far end how often it is there, once or never, and where
+  std::vector<std::array<double, 4>> here(all.size()), found(all.size());
+  for (std::size_t k = 0; k < all.size(); k++) {
+    const int j = atom->map(all[k].partner);
+    if (j >= 0 && j < atom->nlocal) here[k] = {1.0, atom->x[j][0], atom->x[j][1], atom->x[j][2]};
+  }
+  MPI_Allreduce(here.data(), found.data(), static_cast<int>(4 * all.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+  for (std::size_t k = 0; k < all.size(); k++)
+    if (found[k][0] == 0.0)
+      error->all(FLERR,
+                 "Atom {} is bonded to atom {}, which is no longer in the simulation on step {}: "
+                 "remove particles that have bonds with 'delete_atoms ... bond yes', and let none "
+                 "leave the box",
+                 all[k].tag, all[k].partner, update->ntimestep);
+  if (all.empty() || !all_reached) return;
+  double del[3];
+  MathExtra::sub3(&found[0][1], all[0].x, del);
+  PotdemCompat::minimum_image(domain, del);
+  error->all(
+      FLERR,
+      "Bond between atoms {} and {} is {:g} long (reference {:g}) on step {}: it is beyond "
+      "the communication cutoff {:g}; use a smaller timestep if it was torn apart, let bonds "
+      "fail with fix potdem/failure, or increase the cutoff with comm_modify cutoff",
+      all[0].tag, all[0].partner, MathExtra::len3(del), all[0].length, update->ntimestep,
+      MAX(comm->cutghostuser, neighbor->cutneighmax));
 }
 
 void FixPotdemBondHistory::acquire_ghosts()

@@ -98,6 +98,7 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
   double *exchanged;
   int exchanged_width;
+  bigint natoms_then;    // particles in the simulation when bonds were looked at last
 
   // of what the file that was read has of its bonds: how many ends, and their checksum; no ends: none was read, or it is checked
   double ends_in_file, sum_in_file;
@@ -108,6 +109,8 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   double longest_new_bond() const;
   bool is_periodic() const;
   double longest_now() const;
+  void look_after_removals();
+  void refuse_lost_ends(bool all_reached) const;
   void acquire_ghosts();
 };
 

@@ -12,14 +12,18 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "min.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "output.h"
+#include "thermo.h"
 #include "update.h"
 
 #include <cmath>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -61,12 +65,13 @@ FixPotdemMonitor::~FixPotdemMonitor()
 
 int FixPotdemMonitor::setmask()
 {
-  return POST_NEIGHBOR | END_OF_STEP;
+  return PRE_EXCHANGE | MIN_PRE_EXCHANGE | POST_NEIGHBOR | END_OF_STEP;
 }
 
 void FixPotdemMonitor::init()
 {
   for (auto &text : said) text.clear();
+  check_integration();
   moving = find_moving();
   if (!atom->rmass_flag) return;
   critical->groupbit = moving;
@@ -82,6 +87,88 @@ int FixPotdemMonitor::find_moving() const
         !utils::strmatch(fix->style, "^nve/noforce"))
       bits |= fix->groupbit;
   return bits;
+}
+
+// LAMMPS runs with any step, and of a particle that two fixes move it warns, but does so
+void FixPotdemMonitor::check_integration() const
+{
+  if (update->whichflag != 1 || update->nsteps == 0) return;
+  if (!(update->dt > 0.0))
+    error->all(
+        FLERR,
+        "The timestep is {:g}, with which nothing moves, or time runs backwards and dashpots "
+        "and friction add energy; it must be > 0: use the command 'timestep'",
+        update->dt);
+  std::vector<const Fix *> movers;
+  for (const auto *fix : modify->get_fix_list())
+    if (fix->time_integrate) movers.push_back(fix);
+  for (int i = 0; movers.size() > 1 && i < atom->nlocal; i++) {
+    const Fix *first = nullptr;
+    for (const auto *fix : movers) {
+      if (!(atom->mask[i] & fix->groupbit)) continue;
+      if (first)
+        error->one(FLERR,
+                   "Atom {} is moved twice in each step, by fix {} ({}) and by fix {} ({}): remove "
+                   "one of them with unfix, or give them groups that share no particle",
+                   atom->tag[i], first->id, first->style, fix->id, fix->style);
+      first = fix;
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS is about to remove what has left the box, and says later only how many that were, or that one end of a bond is
+   missing. In the coordinates of a box that may be tilted
+------------------------------------------------------------------------- */
+
+void FixPotdemMonitor::pre_exchange()
+{
+  const auto *const thermo = output->thermo;
+  const bool none_may_go = thermo->lostflag == Thermo::ERROR;
+  const bool no_bond_may_go = atom->num_bond && thermo->lostbond == Thermo::ERROR;
+  const double *const lo = domain->triclinic ? domain->boxlo_lamda : domain->boxlo;
+  const double *const hi = domain->triclinic ? domain->boxhi_lamda : domain->boxhi;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double at[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    if (domain->triclinic) domain->x2lamda(atom->x[i], at);
+    bool inside = true;
+    for (int k = 0; k < 3; k++) {
+      const int *const kind = domain->boundary[k];    // 1: fixed
+      inside = inside && std::isfinite(at[k]) && !(kind[0] == 1 && at[k] < lo[k]) &&
+          !(kind[1] == 1 && at[k] >= hi[k]);
+    }
+    if (inside) continue;
+    if (none_may_go || (no_bond_may_go && atom->num_bond[i] > 0)) refuse_lost(i);
+  }
+}
+
+void FixPotdemMonitor::setup_pre_exchange()
+{
+  pre_exchange();
+}
+
+void FixPotdemMonitor::min_pre_exchange()
+{
+  pre_exchange();
+}
+
+void FixPotdemMonitor::refuse_lost(int i) const
+{
+  const double *const x = atom->x[i];
+  const auto where = fmt::format("Atom {} is at ({:g}, {:g}, {:g}) on step {}", atom->tag[i], x[0],
+                                 x[1], x[2], update->ntimestep);
+  if (!std::isfinite(x[0] + x[1] + x[2]))
+    error->one(
+        FLERR,
+        "{}, which is not finite: use a smaller timestep, and look for a force, a velocity or "
+        "a stiffness that is far too large",
+        where);
+  error->one(
+      FLERR,
+      "{}, outside the box, whose side there is fixed (boundary f): make the box larger, use "
+      "a smaller timestep if it is too fast, or let particles go with 'thermo_modify lost "
+      "ignore lost/bond ignore'",
+      where);
 }
 
 void FixPotdemMonitor::setup(int /*vflag*/)

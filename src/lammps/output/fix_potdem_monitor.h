@@ -6,7 +6,8 @@
 /* Says so when a run is going wrong, once for each reason and run. The critical step is checked when a run begins and then now
    and then; what happens between is seen where it costs nothing: the loops already look for pairs that are too
    close, and a neighbour list is rebuilt when particles have moved far. Created by the pair styles, the bond style and the
-   walls, one per simulation; not active in a minimization or in `run 0`. */
+   walls, one per simulation; no warnings in a minimization or in `run 0`. It stops what LAMMPS would stop later, with fewer
+   words, or not at all: particles outside the box, two time integrations of one particle, a timestep that is not > 0. */
 
 #ifndef LMP_FIX_POTDEM_MONITOR_H
 #define LMP_FIX_POTDEM_MONITOR_H
@@ -32,6 +33,9 @@ class FixPotdemMonitor : public Fix {
   void init() override;
   void setup(int) override;
   void min_setup(int) override;
+  void setup_pre_exchange() override;
+  void pre_exchange() override;
+  void min_pre_exchange() override;
   void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
@@ -68,6 +72,8 @@ class FixPotdemMonitor : public Fix {
   void check_skin() const;
   double least_diameter() const;
   int find_moving() const;
+  void check_integration() const;
+  void refuse_lost(int i) const;
   double inverse_mass(int i) const;    // 0: held
   double steps_of(double stiffness, double inverse_masses) const;
 };
