@@ -1,7 +1,7 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""Writes docs/errors.md: every error message and every warning of src/lammps, by the command that says it.
+"""Writes docs/errors.md: every error message and every warning of src/lammps, by the command that says it, and some of LAMMPS's own errors.
 
 Usage: tools/python -m potdem.errors
 """
@@ -57,6 +57,39 @@ The ranges and keywords of single coefficients are not listed: such errors all r
 *unknown keyword …, expected …*, and each style's page has a table of its coefficients. Words that a message chooses from several are not
 listed either.
 """
+
+
+# what LAMMPS says itself where bonded bodies meet it, why, and what to do
+OF_LAMMPS = [
+    ("Bond atoms … missing; Bond atom missing in image check, in box size check",
+     "One end of a bond is too far from the other. Where it was deleted, left the box or was torn away in a run POTDEM says so; in a periodic "
+     "box a run begins with LAMMPS's own check",
+     "The particle was moved, by `displace_atoms` or `set`, further from its body than bonds may be long: move whole bodies"),
+    ("Lost atoms: original … current …",
+     "Particles are gone. One that leaves the box through a fixed side POTDEM names before; this is said of particles that have crossed the part "
+     "of the box of another rank in one step, or where no style of POTDEM is used",
+     "A smaller timestep, a larger box, or `thermo_modify lost ignore lost/bond ignore`"),
+    ("Cannot replicate with fixes that store per-atom quantities",
+     "Bonds remember their lengths, and contacts where they begin",
+     "`replicate` first, then `potdem_bonds`"),
+    ("Cannot hybridize bond styles with different topology settings",
+     "`bond_style hybrid` takes potdem/truss and BPM's styles, and none of LAMMPS's ordinary ones: they list their bonds differently",
+     "potdem/truss for all bonds, or BPM's styles beside it"),
+    ("With overlay/pair no, and break yes, BPM bond styles requires special Coulomb weights = 1,1,1",
+     "`potdem_bonds` has set the weights that potdem/truss needs",
+     "`bond_style potdem/truss`, or the `special_bonds` that BPM asks for after `potdem_bonds`"),
+    ("Cannot use neighbor bins - box size << cutoff",
+     "The skin or a diameter is far larger than the box: other units than those of the script",
+     "`neighbor` with a fifth of the smallest diameter; `set ... diameter`"),
+    ("Neighbor list overflow, boost neigh_modify one",
+     "More particles than expected are within reach of one: a skin or an r_infl of many diameters, or particles that lie in each other",
+     "A smaller skin; `neigh_modify one 10000 page 1000000` where it is meant"),
+    ("Molecule topology/atom exceeds system topology/atom",
+     "Bonds of a molecule template need room when the box is created; `potdem_bonds` makes room for its own only",
+     "`create_box ... extra/bond/per/atom 32 extra/special/per/atom 100`, and `newton on off` before it"),
+    ("No bonds allowed with atom style …; Bond_style command when no bonds allowed",
+     "The particles of this atom style have no bonds", "`atom_style bpm/sphere`"),
+]
 
 
 def argument(text, start):
@@ -173,6 +206,8 @@ def page():
         both = [rows(errors[title]), f"Warnings:\n\n{rows(warned[title])}" if warned[title] else ""]
         if any(both):
             text.append(f"## [{title}]({link})\n\n" + "\n".join(filter(None, both)))
+    of_lammps = "".join(f"| *{escaped(words)}* | {why}. | {remedy}. |\n" for words, why, remedy in OF_LAMMPS)
+    text.append(f"## LAMMPS's own, with bonded bodies\n\n| LAMMPS says | why | what to do |\n|---|---|---|\n{of_lammps}")
     return "\n".join(text)
 
 
