@@ -80,11 +80,11 @@ def on_ranks(nprocs, arguments):
     return [shutil.which("mpirun") or "mpirun", "--oversubscribe", "-np", str(nprocs), *map(str, arguments)]
 
 
-def processor_seconds(arguments, folder, output, limit=None):
+def processor_seconds(arguments, folder, output, limit=None, more=None):
     """(exit status, processor seconds, peak memory in bytes) of a program whose output goes to a file; killed after `limit`
-    seconds"""
+    seconds; more: variables of its environment"""
     with open(output, "w", encoding="utf-8") as file:
-        process = subprocess.Popen(arguments, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, stdout=file,
+        process = subprocess.Popen(arguments, cwd=folder, env=environment(**(more or {})), stdin=subprocess.DEVNULL, stdout=file,
                                    stderr=subprocess.STDOUT)
         timer = threading.Timer(limit or 1e6, process.kill)
         timer.daemon = True
@@ -96,9 +96,10 @@ def processor_seconds(arguments, folder, output, limit=None):
 
 
 def run(script, variables, folder, nprocs=1, name="run", log="none", screen="screen", limit=None, lmp=None,
-        threads=1):
+        threads=1, more=None):
     """a Run. script: path of an input script, or its text, which goes to in.<name>; LAMMPS runs in the folder, to which the paths
-    of its log and of the file with its screen output are relative; limit: s; lmp: if not the build's"""
+    of its log and of the file with its screen output are relative; limit: s; lmp: if not the build's; more: variables of its
+    environment"""
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     if isinstance(script, str):
@@ -106,7 +107,7 @@ def run(script, variables, folder, nprocs=1, name="run", log="none", screen="scr
         script = f"in.{name}"
     else:
         script = Path(script).resolve()
-    status, cpu, peak = processor_seconds(command(script, variables, log, nprocs, lmp, threads), folder, folder / screen, limit)
+    status, cpu, peak = processor_seconds(command(script, variables, log, nprocs, lmp, threads), folder, folder / screen, limit, more)
     return Run(folder, status, logs.read(folder / screen), logs.read(folder / log) if (folder / log).exists() else "", cpu, peak)
 
 
