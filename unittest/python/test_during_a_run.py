@@ -6,7 +6,6 @@ are given again. Each small case was wrong once; the right value is beside it. (
 a restart file is test_set_up_anew.py.)"""
 
 import math
-import re
 import subprocess
 import sys
 
@@ -365,13 +364,6 @@ thermo_style custom step pe f_cracks c_books
 """
 
 
-def test_the_ledger_is_taken_away(run_lammps):
-    """by a user who tidies up: one error that says what is missing"""
-    run = run_lammps(WITH_LEDGER + "run 50\nunfix POTDEM_LEDGER\nrun 50\n", expect_error="POTDEM_LEDGER")
-    assert run.status > 0    # no signal
-    assert run.stdout.count("ERROR") == 1
-
-
 # as docs/internal_fixes.md has it
 TAKEN_AWAY = {
     "POTDEM_BONDS": True, "POTDEM_BONDS_FIX_PROP_ATOM": True, "POTDEM_BONDS_AREAS": True,
@@ -393,14 +385,6 @@ def test_another_internal_part_is_taken_away(lmp, run_lammps, tmp_path, part):
         assert part in done.error, done.stdout[-2000:]
     else:
         assert last_row(done) == usual
-
-
-def test_bonds_shorter_than_the_spacing(run_lammps):
-    """none at all: the message says how far the nearest particles are"""
-    script = scripts.box(20) + "region body block 0 5 0 5 0 5 units box\n" + scripts.crystal(
-        spacing=1.25, region="body", diameter=1.0) + "potdem_bonds all 1 0.5 diameters\n"
-    message = run_lammps(script, expect_error="potdem_bonds").error
-    assert "shortest distance" in message and re.search(r"\b1\.25\b", message)
 
 
 CAUGHT = '''"""potdem_bonds fails for want of room in a neighbour list; the error is caught and the work goes on"""

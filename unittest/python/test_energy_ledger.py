@@ -164,14 +164,6 @@ def test_the_heat_of_the_first_step_whatever_is_defined_first(run_lammps, nprocs
     assert abs(runs[0]["c_ledger"][1] - runs[0]["c_ledger"][0]) < 1e-3 * heat
 
 
-def test_wrong_use(run_lammps):
-    start = "units lj\natom_style bpm/sphere\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\n"
-    for lines, words in (("compute e all potdem/energy now", "unknown keyword 'now'"),
-                         ("group some id 1\ncompute e some potdem/energy", "group all"),
-                         ("compute e all potdem/energy\ncompute f all potdem/energy", "there is a ledger already")):
-        assert words in run_lammps(start + lines + "\n", expect_error="").error
-
-
 # second order in the step, but for the forces that jump at their cut by design: F v dt / 2 on each passage
 @pytest.mark.parametrize("style, coeff, allowed", [("potdem/granular", "50 4 0.3", 5e-3),
                                                    ("potdem/lj", "50 0.3 2 0.2", 2e-2),

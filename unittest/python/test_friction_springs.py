@@ -187,25 +187,6 @@ def test_a_pile_that_leans_goes_on_from_a_restart_file(run_lammps, newton, nproc
 # --- input --------------------------------------------------------------------------------------------------------------------
 
 
-def test_mindlin_needs_a_poisson_ratio(run_lammps):
-    script = scripts.box(4) + scripts.particles([(0, 0, 0, 1)])
-    for style, coeff in (("truss", "1e5 0.4"), ("granular", "1e5 4 0.3"), ("lj", "1e5 0.1 2 0.2")):
-        run_lammps(script + f"pair_style potdem/{style}\npair_coeff * * {coeff} friction 0.3 mindlin\n",
-                   expect_error="friction mu spring ratio")
-        wall = f"region r plane 0 0 0 0 0 1\nfix w all potdem/wall/region r law {style} {coeff} friction 0.3 mindlin\n"
-        run_lammps(script + wall, expect_error="friction mu spring ratio")
-
-
-@pytest.mark.parametrize("words, message", [("0.3 spring 0", "friction spring ratio = 0 is out of range, it must be > 0"),
-                                            ("0.3 spring", "pair_coeff"),
-                                            ("0.3 spring 0.8 damping -1", "damping xi = -1 is out of range, it must be >= 0"),
-                                            ("0.3 mindlin 0.5", "unknown keyword '0.5'"),
-                                            ("-0.3 mindlin", "friction mu = -0.3 is out of range")])
-def test_bad_input(run_lammps, words, message):
-    script = scripts.box(4) + scripts.particles([(0, 0, 0, 1)])
-    run_lammps(script + f"pair_style potdem/hertz\npair_coeff * * 1e7 0.3 friction {words}\n", expect_error=message)
-
-
 def test_tiled_communication_needs_newton_off(run_lammps):
     script = scripts.box(4, newton="on") + scripts.particles([(0, 0, 0, 1), (0.95, 0, 0, 1)])
     script += "comm_style tiled\ncomm_modify vel yes\npair_style potdem/hertz\npair_coeff * * 1e7 0.3 friction 0.3 mindlin\nfix move all nve\n"

@@ -306,19 +306,6 @@ dump_modify d sort id format float {scripts.ALL_DIGITS}
         assert np.array_equal(limited, free)
 
 
-# --- run_style respa --------------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("line, name", [("fix a all potdem/wall/region floor 5 0.3 particle 5 0.3", "potdem/wall/region"),
-                                        ("fix a all potdem/damping 0.1", "potdem/damping")])
-def test_respa_is_refused(run_lammps, line, name):
-    """(by the pair styles and the bond in test_bad_pair_input.py and test_bad_input.py)"""
-    script = scripts.box(12) + scripts.particles([(0, 0, 1, 1.0)])
-    script += f"bond_style none\npair_style zero 1.0\npair_coeff * *\nregion floor plane 0 0 0 0 0 1\nfix move all nve\n{line}\n"
-    run_lammps(script + "run 1\n")
-    message = run_lammps(script + "run_style respa 2 2 pair 1\nrun 0\n", expect_error=name).error
-    assert "run_style verlet only" in message
-
-
 # --- pair_write -------------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("particles, nprocs", [([(0, 0, 0, 1.0)], 1), ([(-1, 0, 0, 1.0), (1, 0, 0, 1.0)], 2)])

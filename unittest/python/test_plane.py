@@ -176,11 +176,3 @@ def test_faces_in_the_plane_are_no_walls(run_lammps):
     for name in ("v_v", "v_w", "c_ledger", "f_floor", "f_floor[1]", "f_floor[2]", "f_floor[3]"):
         assert np.array_equal(whole[name], thin[name])
     assert np.all(thin["f_floor[3]"] == 0) and np.all(thin["f_floor[2]"] < 0)
-
-
-def test_refused(run_lammps):
-    """with a reason, each"""
-    slanted = rolling("disc", 0.3, 0, 1, 0, "plane 0 0 0 0 1 0.2")
-    solid = replaced(plane(), "dimension 2\n", "")
-    for script, words in ((slanted, "not normal to the plane"), (solid + "compute e all potdem/energy disc\n", "disc is for two dimensions")):
-        assert words in run_lammps(script, expect_error="").error

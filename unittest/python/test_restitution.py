@@ -108,18 +108,6 @@ def test_it_is_adapted(run_lammps):
     assert restitution_of(run_lammps, script) == pytest.approx(0.5, rel=5e-3)
 
 
-@pytest.mark.parametrize("style, coeffs, message", [
-    ("hertz", "1e7 0.3 restitution 0", "restitution e = 0 is out of range, it must be > 0 and <= 1"),
-    ("hertz", "1e7 0.3 restitution 1.01", "restitution e = 1.01 is out of range"),
-    ("hertz", "1e7 0.3 restitution 0.5 viscous 1e-4", "give one of viscous, restitution"),
-    ("lj", "1e5 0.1 2 0.2 restitution 0.5", "unknown keyword 'restitution'"),
-    ("granular", "1e5 4 0.3 restitution 0.5", "unknown keyword 'restitution'"),
-    ("truss", "mixed", "'mixed' is for types I != J")])
-def test_bad_input(run_lammps, style, coeffs, message):
-    script = scripts.box(4) + scripts.particles([(0, 0, 0, 1)])
-    run_lammps(script + f"pair_style potdem/{style}\npair_coeff * * {coeffs}\n", expect_error=message)
-
-
 def test_laws_of_dissipation_do_not_mix(run_lammps):
     coeffs = "pair_coeff 1 1 7e10 0.25 restitution 0.9\npair_coeff 2 2 7e10 0.25 viscous 1e-5\n"
     run_lammps(bounce(coeffs), expect_error="lose energy by different laws")

@@ -142,13 +142,6 @@ def test_rolling_springs_count_for_the_critical_step(run_lammps):
     assert found == pytest.approx(2.0 / np.sqrt(20 * stiffness / (0.4 * MASS)), rel=1e-9)
 
 
-@pytest.mark.parametrize("words, message", [("rolling 0.1 0.5", "missing argument"), ("rolling 0.1 0 0", "rolling ratio = 0 is out of range"),
-                                            ("rolling -0.1 0.5 0", "rolling mu = -0.1 is out of range"),
-                                            ("rolling 0.1 0.5 0", "use rotation yes")])
-def test_bad_input(run_lammps, words, message):
-    script = scripts.box(4) + scripts.particles([(0, 0, 0, 1)])
-    run_lammps(script + f"pair_style potdem/hertz\npair_coeff * * 1e7 0.3 {words}\n", expect_error=message)
-
 
 @pytest.mark.parametrize("friction", ["", "friction 0 spring 0.8 ", "friction 0.3 0.1 "])
 @pytest.mark.parametrize("word, axis", [("rolling", 2), ("twisting", 3)])

@@ -78,15 +78,6 @@ def test_core_of_a_law_is_an_error(run_lammps):
         assert words in message, message
 
 
-@pytest.mark.parametrize("words, expected", [("law cubic 1 2", ["'cubic'", "granular, hertz, lj or truss"]),
-                                             ("law granular 50 2 0.3", ["n = 2", "> 2"]),
-                                             ("law lj 50 0.1 2 0.2 layer none", ["'layer'", "cut, linear, friction, rolling, twisting or rotation"])])
-def test_bad_input(run_lammps, words, expected):
-    script = start("region floor plane 0 0 0 0 0 1", [(0, 0, 1)]) + f"fix floor all potdem/wall/region floor {words}\n"
-    message = run_lammps(script, expect_error="").error
-    assert [word for word in expected if word not in message] == [], message
-
-
 # a table of two blocks is what both leave out. (LAMMPS's "union ... side out" of the blocks loses their faces.)
 SEAM = """
 region left block -10 0 -5 5 -3 0 side out units box

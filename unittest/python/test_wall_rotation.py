@@ -199,12 +199,3 @@ fix weight all gravity {G} vector -0.3 0 -1"""
     assert abs(end[2]) < 1e-9
     weight = MASS * G * np.array([-0.3, -1]) / math.hypot(0.3, 1)
     assert end[3:] == pytest.approx(weight, rel=1e-9)
-
-
-@pytest.mark.parametrize("words, expected", [("rotation maybe", ["'maybe'", "no, yes or disc"]),
-                                             ("rotation disc", ["two dimensions", "rotation yes"]),
-                                             ("rotation", ["potdem/wall/region", "missing"])])
-def test_bad_input(run_lammps, words, expected):
-    script = instant("0.3 auto", V, SPIN, FLOOR, words)
-    message = run_lammps(script, expect_error="").error
-    assert [word for word in expected if word not in message] == [], message
