@@ -156,7 +156,7 @@ void FixPotdemBondHistory::post_run()
 
 void FixPotdemBondHistory::setup_pre_neighbor()
 {
-  if (!force->bond && atom->nbonds > 0)
+  if (force->pair && !force->bond && atom->nbonds > 0)
     error->all(
         FLERR,
         "There are {} bonds but no bond_style, so they would do nothing, and bonded particles "
