@@ -15,7 +15,8 @@ from potdem.reports.writing import table
 TITLE = "Whatever is fed to it"
 KINDS = {"material": "material files", "arguments": "arguments of commands", "sequence": "sequences of commands"}
 CORPUS = ROOT / "unittest" / "trust" / "corpus"
-SANITIZED = ["-O1", "-g", "-fno-omit-frame-pointer", "-fsanitize=address,undefined", "-fno-sanitize=vptr", "-fno-sanitize-recover=undefined"]
+SANITIZED = ["-O1", "-g", "-DPOTDEM_PLAIN_CODE", "-fno-omit-frame-pointer", "-fsanitize=address,undefined", "-fno-sanitize=vptr",
+             "-fno-sanitize-recover=undefined"]
 MINUTES = 10.0    # of processor time, all kinds together
 
 
@@ -23,7 +24,8 @@ def built(build, folder):
     """(program, plugin)"""
     if not (folder / "build.ninja").exists():
         subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, "-DCMAKE_CXX_COMPILER=clang++",
-                        f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+                        f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}"],
+                       cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", folder, "--target", "potdemplugin"], check=True)
     cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
     sources = re.search(r"^POTDEM_LAMMPS_DIR:\w+=(.*)$|^LAMMPS_SOURCE_DIR:\w+=(.*)$", cache, re.MULTILINE)

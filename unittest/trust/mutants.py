@@ -227,7 +227,8 @@ def measure(build, work, count=None):
         for done in concurrent.futures.as_completed(waiting):
             n, fault = waiting[done]
             outcomes[n], took = done.result()
-            print(f"{len(outcomes)}/{len(faults)} {outcomes[n] or 'NOT NOTICED'} ({took:.0f} s): {n} line {fault.line} {fault.name}", flush=True)
+            how = outcomes[n] or "NOT NOTICED"
+            print(f"{len(outcomes)}/{len(faults)} {how} ({took:.0f} s): {n} line {fault.line} {fault.name}", flush=True)
             shutil.rmtree(work / f"mutants-tests-{n}", ignore_errors=True)
     return report(faults, outcomes, places)
 

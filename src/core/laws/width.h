@@ -4,12 +4,12 @@
 ------------------------------------------------------------------------- */
 
 /* Registers for which loops are compiled. Which of them the machine has is asked when the program runs, so that what is built does not
-   depend on where. */
+   depend on where. With POTDEM_PLAIN_CODE there is one only: for builds with sanitizers, which take many times as long for the others. */
 
 #ifndef POTDEM_WIDTH_H
 #define POTDEM_WIDTH_H
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POTDEM_PLAIN_CODE)
 #define POTDEM_WIDE_CODE 1
 #define POTDEM_AVX2 __attribute__((target("avx2")))
 #define POTDEM_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
