@@ -4,8 +4,9 @@
 """However a scene is computed, the result is the same: to rounding, before bonds fail; what is conserved, after."""
 
 import pytest
-import same_answer
 from conftest import PLAIN, THROUGH_PLUGIN
+
+from potdem import same_answer
 
 
 @pytest.fixture(scope="module")

@@ -1,19 +1,16 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""One scene in every way that is no physics (unittest/python/same_answer.py), with what tests cannot have: plugins made by other
+"""One scene in every way that is no physics (potdem.same_answer), with what tests cannot have: plugins made by other
 compilers and without optimisation, and another release of LAMMPS (POTDEM_OTHER_LMP: its program)."""
 
 import os
 import subprocess
-import sys
 from pathlib import Path
 
+from potdem import same_answer
 from potdem.paths import ROOT
 from potdem.reports.writing import table
-
-sys.path.append(str(ROOT / "unittest" / "python"))
-import same_answer
 
 TITLE = "The same answer everywhere"
 PLUGINS = {"the plugin, by Clang": ("clang++", "Release"), "the plugin, by GCC without optimisation": ("g++", "Debug")}

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 
-from potdem import running
+from potdem import running, same_answer
 from potdem.paths import ROOT
 from potdem.reports.writing import table
 
@@ -59,9 +59,6 @@ def tests(folder, work, names=None):
 
 def under_valgrind(build, work):
     """errors that valgrind finds on two ranks, in a scene in which bonds break and friction has a memory"""
-    sys.path.append(str(ROOT / "unittest" / "python"))
-    import same_answer
-
     folder = work / "valgrind"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
