@@ -89,7 +89,8 @@ int FixPotdemMonitor::find_moving() const
   return bits;
 }
 
-// LAMMPS runs with any step, and of a particle that two fixes move it warns, but does so
+// LAMMPS runs with any step, and of a particle that two fixes move it warns, but does so. Beside fix move, which sets places, nve/noforce
+// does nothing
 void FixPotdemMonitor::check_integration() const
 {
   if (update->whichflag != 1 || update->nsteps == 0) return;
@@ -101,7 +102,7 @@ void FixPotdemMonitor::check_integration() const
         update->dt);
   std::vector<const Fix *> movers;
   for (const auto *fix : modify->get_fix_list())
-    if (fix->time_integrate) movers.push_back(fix);
+    if (fix->time_integrate && !utils::strmatch(fix->style, "^nve/noforce")) movers.push_back(fix);
   for (int i = 0; movers.size() > 1 && i < atom->nlocal; i++) {
     const Fix *first = nullptr;
     for (const auto *fix : movers) {
