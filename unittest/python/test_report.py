@@ -145,7 +145,7 @@ def test_reference_of_the_beam_is_the_scene_s():
 
 def test_an_ending_replaces_the_run(tmp_path):
     script = tmp_path / "in.x"
-    script.write_text("timestep 1\nrun          ${steps}\n")
+    script.write_text("timestep 1\nrun          ${steps} upto\n")
     assert case.ending(script, "run 0") == "timestep 1\nrun 0\n"
     script.write_text("run 10\n")
     with pytest.raises(ValueError, match="no line"):

@@ -89,8 +89,19 @@ int FixPotdemMonitor::find_moving() const
   return bits;
 }
 
-// LAMMPS runs with any step, and of a particle that two fixes move it warns, but does so. Beside fix move, which sets places, nve/noforce
-// does nothing
+// do two fixes that integrate spoil each other's work? Of two fixes move the last one sets the places, and nve/noforce adds nothing that
+// fix move would not set
+static bool move_twice(const Fix *one, const Fix *other)
+{
+  const auto is = [](const Fix *fix, const char *style) {
+    return utils::strmatch(fix->style, style);
+  };
+  const bool sets_one = is(one, "^move"), sets_other = is(other, "^move");
+  if (sets_one && sets_other) return false;
+  return !(sets_one && is(other, "^nve/noforce")) && !(sets_other && is(one, "^nve/noforce"));
+}
+
+// LAMMPS runs with any step, and of a particle that two fixes move it warns, but does so
 void FixPotdemMonitor::check_integration() const
 {
   if (update->whichflag != 1 || update->nsteps == 0) return;
@@ -102,12 +113,12 @@ void FixPotdemMonitor::check_integration() const
         update->dt);
   std::vector<const Fix *> movers;
   for (const auto *fix : modify->get_fix_list())
-    if (fix->time_integrate && !utils::strmatch(fix->style, "^nve/noforce")) movers.push_back(fix);
+    if (fix->time_integrate) movers.push_back(fix);
   for (int i = 0; movers.size() > 1 && i < atom->nlocal; i++) {
     const Fix *first = nullptr;
     for (const auto *fix : movers) {
       if (!(atom->mask[i] & fix->groupbit)) continue;
-      if (first)
+      if (first && move_twice(first, fix))
         error->one(FLERR,
                    "Atom {} is moved twice in each step, by fix {} ({}) and by fix {} ({}): remove "
                    "one of them with unfix, or give them groups that share no particle",
