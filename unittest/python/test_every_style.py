@@ -27,11 +27,13 @@ compute piece all potdem/piece/atom
 compute largest all reduce max c_strain[1]
 timestep 1e-3
 thermo_style custom step pe c_books c_step c_largest c_piece
+restart 1000 kept.a kept.b
 run 2
 info fixes system
 """
     text = run_lammps(script).stdout
-    for name in ("POTDEM_BOND_HISTORY", "POTDEM_AREA_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR"):
+    for name in ("POTDEM_BOND_HISTORY", "POTDEM_AREA_BOND_HISTORY", "POTDEM_REFERENCE", "POTDEM_LEDGER", "POTDEM_MONITOR",
+                 "POTDEM_RESUME"):
         assert name in text
 
 
