@@ -46,7 +46,7 @@ static double distance2(const double *a, const double *b)
 BondPotdemBase::BondPotdemBase(LAMMPS *lmp, const std::string &name, int nstate) :
     Bond(lmp), name(name), style("bond_style " + name), bonds(lmp, nstate), any_penetration(false),
     damped(false), ledger(nullptr), history(nullptr), lost(false), monitor(nullptr), generation(-1),
-    new_bonds(true), longest(0.0)
+    new_bonds(true)
 {
   partial_flag = 1;
   writedata = 1;
@@ -173,7 +173,7 @@ void BondPotdemBase::find_needs()
 
 void BondPotdemBase::set_communication()
 {
-  longest = history->longest();
+  const double longest = history->longest();
   const double need = longest + neighbor->skin;
   const bool users = comm->cutghostuser > 0.0 && !history->follows_bonds();
   if (users && comm->cutghostuser < need)

@@ -127,7 +127,6 @@ class BondPotdemBase :
   class FixPotdemMonitor *monitor;    // null: nothing to warn of
   int generation;                     // of the bonds' memory, that is packed; -1: none
   bool new_bonds;                     // there may be some since the last run
-  double longest;
 
   // the columns that single() adds, for compute bond/local
   enum { STRAIN, STRESS, SECTION, REFERENCE, NEXTRA };

@@ -95,7 +95,7 @@ std::string FixPotdemBondHistory::gone() const
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
     FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
     widest(0.0), areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr),
-    exchanged_width(0), natoms_then(atom->natoms), ends_in_file(0.0), sum_in_file(0.0)
+    exchanged_width(0), natoms_then(atom->natoms)
 {
   setflag = all_types.data();
 }
@@ -466,8 +466,7 @@ void FixPotdemBondHistory::restart(char *buf)
 {
   const auto state = potdem_read_block(lmp, "Bonds of bond_style potdem/truss", buf, 3);
   ghost_cutoff = state[0];
-  ends_in_file = state[1];
-  sum_in_file = state[2];
+  in_file.assign(state.begin() + 1, state.end());
 }
 
 // of the values of all bonds, on any number of ranks and in any order
@@ -486,14 +485,13 @@ std::vector<double> FixPotdemBondHistory::ends_and_sum() const
 // once, before bonds are computed. Where the user has taken some away or added some since, nothing can be said
 void FixPotdemBondHistory::check_values()
 {
-  if (ends_in_file == 0.0) return;
-  const auto all = ends_and_sum();
-  if (all[0] == ends_in_file && all[1] != sum_in_file)
+  if (in_file.empty()) return;
+  if (potdem_is_damaged(in_file, ends_and_sum()))
     error->all(
         FLERR,
         "The restart file is damaged: reference lengths or areas of bonds are not those that "
         "were written; continue from another file");
-  ends_in_file = 0.0;
+  in_file.clear();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -100,8 +100,8 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   int exchanged_width;
   bigint natoms_then;    // particles in the simulation when bonds were looked at last
 
-  // of what the file that was read has of its bonds: how many ends, and their checksum; no ends: none was read, or it is checked
-  double ends_in_file, sum_in_file;
+  // of what the file that was read has of its bonds: how many ends, and their checksum; none: none was read, or it is checked
+  std::vector<double> in_file;
 
   double **values() const;
   std::vector<double> ends_and_sum() const;

@@ -88,19 +88,12 @@ std::string LAMMPS_NS::potdem_read_text(LAMMPS *lmp, FILE *fp, const std::string
   MPI_Bcast(&head, sizeof(head), MPI_BYTE, 0, lmp->world);
   if (head.mark != TEXT_MARK || head.form != TEXT_FORM || head.length < 0 ||
       head.length > LONGEST_TEXT)
-    lmp->error->all(FLERR,
-                    "{}: the restart file was written by another version of POTDEM, or is damaged; "
-                    "continue it with that version, or from another file",
-                    who);
+    potdem_refuse_version(lmp, who);
   std::string text(head.length, ' ');
   if (reads && head.length > 0)
     utils::sfread(FLERR, &text[0], 1, head.length, fp, nullptr, lmp->error);
   MPI_Bcast(&text[0], head.length, MPI_CHAR, 0, lmp->world);
-  if (head.sum != sum_of(text))
-    lmp->error->all(FLERR,
-                    "{}: the restart file is damaged, its checksum does not fit; continue from "
-                    "another file",
-                    who);
+  if (head.sum != sum_of(text)) potdem_refuse_damaged(lmp, who);
   return text;
 }
 

@@ -9,6 +9,8 @@
 #include "fmt/format.h"
 #include "lammps.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 
 // before the numbers: the form of restart files, how many numbers, the same with a minus, because LAMMPS does not tell the size of what
@@ -65,7 +67,7 @@ void LAMMPS_NS::potdem_write_block(FILE *fp, const std::vector<double> &values)
   fwrite(values.data(), sizeof(double), values.size(), fp);
 }
 
-static void refuse_other_version(LAMMPS *lmp, const std::string &owner)
+void LAMMPS_NS::potdem_refuse_version(LAMMPS *lmp, const std::string &owner)
 {
   lmp->error->all(FLERR,
                   "{}: the restart file was written by another version of POTDEM, or is damaged; "
@@ -73,19 +75,30 @@ static void refuse_other_version(LAMMPS *lmp, const std::string &owner)
                   owner);
 }
 
+void LAMMPS_NS::potdem_refuse_damaged(LAMMPS *lmp, const std::string &owner)
+{
+  lmp->error->all(FLERR,
+                  "{}: the restart file is damaged, its checksum does not fit; continue from "
+                  "another file",
+                  owner);
+}
+
+bool LAMMPS_NS::potdem_is_damaged(const std::vector<double> &in_file,
+                                  const std::vector<double> &now)
+{
+  return in_file.size() == now.size() && std::equal(now.begin(), now.end() - 1, in_file.begin()) &&
+      in_file.back() != now.back();
+}
+
 std::vector<double> LAMMPS_NS::potdem_read_block(LAMMPS *lmp, const std::string &owner,
                                                  const char *buf)
 {
   const auto *const all = reinterpret_cast<const double *>(buf);
   if (!all || all[FORM_AT] != FORM || all[COUNT_AT] != -all[MINUS_COUNT_AT])
-    refuse_other_version(lmp, owner);
+    potdem_refuse_version(lmp, owner);
   const std::vector<double> values(all + HEAD,
                                    all + HEAD + static_cast<std::size_t>(all[COUNT_AT]));
-  if (all[SUM_AT] != short_sum(values))
-    lmp->error->all(FLERR,
-                    "{}: the restart file is damaged, its checksum does not fit; continue from "
-                    "another file",
-                    owner);
+  if (all[SUM_AT] != short_sum(values)) potdem_refuse_damaged(lmp, owner);
   return values;
 }
 
@@ -93,6 +106,6 @@ std::vector<double> LAMMPS_NS::potdem_read_block(LAMMPS *lmp, const std::string 
                                                  const char *buf, std::size_t count)
 {
   auto values = potdem_read_block(lmp, owner, buf);
-  if (values.size() != count) refuse_other_version(lmp, owner);
+  if (values.size() != count) potdem_refuse_version(lmp, owner);
   return values;
 }

@@ -34,6 +34,13 @@ class PotdemSum {
   std::int64_t rows = 0;
 };
 
+// of what is kept with the particles: have as many rows, and such as fit here (all numbers but the last), another checksum than in the file?
+bool potdem_is_damaged(const std::vector<double> &in_file, const std::vector<double> &now);
+
+// the errors for all that the package reads from such a file; owner: what it is
+[[noreturn]] void potdem_refuse_version(LAMMPS *, const std::string &owner);
+[[noreturn]] void potdem_refuse_damaged(LAMMPS *, const std::string &owner);
+
 // by the first rank, in Fix::write_restart()
 void potdem_write_block(FILE *, const std::vector<double> &values);
 

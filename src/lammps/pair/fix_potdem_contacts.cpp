@@ -228,8 +228,7 @@ std::vector<double> FixPotdemContacts::sum_kept() const
 void FixPotdemContacts::check_kept()
 {
   if (in_file.empty()) return;
-  const auto all = sum_kept();
-  if (all[0] == in_file[0] && all[1] == in_file[1] && all[2] != in_file[2])
+  if (potdem_is_damaged(in_file, sum_kept()))
     error->all(FLERR,
                "The restart file is damaged: what contacts remember in {} is not what was written; "
                "continue from another file",
