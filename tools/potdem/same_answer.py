@@ -4,7 +4,6 @@
 """One scene, computed in every way that is no physics: ranks, grids of processors, newton, order of particles, skin, threads, balance,
 the plugin, the width of the machine's vectors. How far apart the results are before the first bond fails, and what holds after."""
 
-import os
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,7 +23,6 @@ variable skin index 0.3
 variable newton index "on on"
 variable sort index "1000 0"
 variable grid index "* * *"
-variable more index "variable nothing equal 0"
 units si
 newton ${{newton}}
 processors ${{grid}}
@@ -126,21 +124,10 @@ class Answer:
 
 def compute(way, folder, lmp):
     """the scene in a folder"""
-    more = way.variables.get("more", "variable nothing equal 0")
-    script = SCRIPT.replace("${more}", more)
-    variables = {name: value.split() if name == "sort" else value for name, value in way.variables.items() if name != "more"}
-    variables = {name: " ".join(value) if isinstance(value, list) else value for name, value in variables.items()}
-    kept = {name: os.environ.get(name) for name in way.environment}
-    os.environ.update(way.environment)
-    try:
-        done = running.run(script, variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp,
-                           threads=way.threads)
-    finally:
-        for name, value in kept.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
+    script = SCRIPT.replace("${more}", way.variables.get("more", ""))
+    variables = {name: value for name, value in way.variables.items() if name != "more"}
+    done = running.run(script, variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp,
+                       threads=way.threads, more=way.environment)
     if not done.ended_well:
         raise RuntimeError(f"{way.name}: {done.error or done.stdout[-1000:]}")
     columns, thermo = dumps.read(folder / "whole.dump")[0], done.thermo

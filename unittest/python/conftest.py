@@ -5,11 +5,12 @@
 plugin."""
 
 import os
+import shutil
 
 import pytest
 
 from potdem import running
-from potdem.paths import BUILD, ROOT
+from potdem.paths import BUILD, ROOT, TOOLS
 
 PLAIN = BUILD / "unittest" / "plain" / "lmp"
 THROUGH_PLUGIN = os.environ.get("POTDEM_STYLES") == "plugin"
@@ -56,6 +57,16 @@ def lmp(build):
     if not path.exists():
         pytest.fail(f"{path} has not been built (unittest/run builds it)")
     return path
+
+
+@pytest.fixture
+def project(lmp, tmp_path):
+    """tmp_path as a folder of the project, with a copy of its Python package and the build; the environment of programs that run there"""
+    shutil.copytree(TOOLS / "potdem", tmp_path / "tools" / "potdem")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build" / "lmp").symlink_to(lmp)
+    (tmp_path / "build" / "CMakeCache.txt").symlink_to(BUILD / "CMakeCache.txt")
+    return {**os.environ, "PYTHONPATH": str(tmp_path / "tools"), "POTDEM_BUILD": str(tmp_path / "build")}
 
 
 @pytest.fixture

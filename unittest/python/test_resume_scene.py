@@ -148,18 +148,14 @@ class Started:
 
 
 @pytest.fixture
-def examples(lmp, tmp_path):
+def examples(project, tmp_path):
     """a tree with a copy of the package and of the scene hopper, with variants of its own"""
-    shutil.copytree(TOOLS / "potdem", tmp_path / "tools" / "potdem")
-    (tmp_path / "build").mkdir()
-    (tmp_path / "build" / "lmp").symlink_to(lmp)
-    (tmp_path / "build" / "CMakeCache.txt").symlink_to(BUILD / "CMakeCache.txt")
     scene = tmp_path / "examples" / "hopper"
     scene.mkdir(parents=True)
     shutil.copy(EXAMPLES / "hopper" / "in.hopper", scene)
     (scene / "scene.yaml").write_text(SETTINGS)
     (scene / "plot.py").write_text(PLOT)
-    started = Started({**os.environ, "PYTHONPATH": str(tmp_path / "tools"), "POTDEM_BUILD": str(tmp_path / "build")}, tmp_path)
+    started = Started(project, tmp_path)
     started.scene = scene
     started.output = lambda ranks=1: tmp_path / "build" / "examples" / "hopper" / f"short.np{ranks}"
     return started

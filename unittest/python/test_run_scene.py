@@ -3,7 +3,6 @@
 
 """What examples/run runs, on a small scene of its own."""
 
-import os
 import re
 import shutil
 import subprocess
@@ -14,7 +13,6 @@ import vtk_files
 import yaml
 from PIL import Image
 
-from potdem.paths import BUILD, TOOLS
 from potdem.scenes.claim import of_draws
 from potdem.text import replaced
 
@@ -90,13 +88,8 @@ FILM = picture.Film("dump.flight", draw, picture.Scale("way", 0, 1, "nothing, m"
 
 
 @pytest.fixture
-def examples(lmp, tmp_path):
+def examples(project, tmp_path):
     """a tree with a copy of the package and one scene; runs it with the arguments given"""
-    shutil.copytree(TOOLS / "potdem", tmp_path / "tools" / "potdem")
-    (tmp_path / "build").mkdir()
-    (tmp_path / "build" / "lmp").symlink_to(lmp)
-    (tmp_path / "build" / "CMakeCache.txt").symlink_to(BUILD / "CMakeCache.txt")
-    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "tools"), "POTDEM_BUILD": str(tmp_path / "build")}
     scene = tmp_path / "examples" / "flight"
     scene.mkdir(parents=True)
     (scene / "in.flight").write_text(SCRIPT)
@@ -108,7 +101,7 @@ def examples(lmp, tmp_path):
     (tmp_path / "docs" / "claims.md").write_text(PAGE)
 
     def run(*arguments, program="run_scene"):
-        return subprocess.run([sys.executable, "-m", f"potdem.scenes.{program}", *arguments], env=environment,
+        return subprocess.run([sys.executable, "-m", f"potdem.scenes.{program}", *arguments], env=project,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     run.scene = scene
