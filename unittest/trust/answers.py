@@ -5,11 +5,11 @@
 compilers and without optimisation, and another release of LAMMPS (POTDEM_OTHER_LMP: its program)."""
 
 import os
-import subprocess
 from pathlib import Path
 
+import project
+
 from potdem import same_answer
-from potdem.paths import ROOT
 from potdem.reports.writing import table
 
 TITLE = "The same answer everywhere"
@@ -18,10 +18,7 @@ PLUGINS = {"the plugin, by Clang": ("clang++", "Release"), "the plugin, by GCC w
 
 def plugin(folder, compiler, kind):
     """built without LAMMPS, for the LAMMPS of the build"""
-    if not (folder / "build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, f"-DCMAKE_CXX_COMPILER={compiler}",
-                        f"-DCMAKE_BUILD_TYPE={kind}"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", folder, "--target", "potdemplugin"], check=True)
+    project.build(folder, f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_BUILD_TYPE={kind}", targets=["potdemplugin"])
     return folder
 
 

@@ -4,10 +4,10 @@
 """Lines of src that the tests run, by gcov in a build of its own (without optimisation)."""
 
 import json
-import os
 import subprocess
-import sys
 from collections import defaultdict
+
+import project
 
 from potdem.paths import ROOT
 from potdem.reports.writing import table
@@ -23,18 +23,10 @@ NOT_RUN = {
 }
 
 
-def built(folder):
-    if not (folder / "build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, f"-DPOTDEM_EXTRA_OPTIONS={FLAGS}"], cwd=ROOT, check=True,
-                       stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", folder], check=True)
-
-
 def run_tests(folder, work, tests):
-    environment = {**os.environ, "POTDEM_BUILD": str(folder), "PYTHONPATH": str(ROOT / "tools")}
+    project.build(folder, f"-DPOTDEM_EXTRA_OPTIONS={FLAGS}")
     subprocess.run([folder / "unittest" / "test_laws", "--gtest_brief=1"], check=True)
-    subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", "auto", "--dist", "loadfile",
-                    f"--basetemp={work / 'coverage-tests'}", *tests], cwd=ROOT, env=environment, check=False)
+    project.run_tests(tests, folder, work / "coverage-tests")
 
 
 def lines(folder, work):
@@ -53,7 +45,6 @@ def lines(folder, work):
 
 def measure(build, work, tests=(ROOT / "unittest" / "python",)):
     folder = work / "coverage"
-    built(folder)
     run_tests(folder, work, tests)
     found = lines(folder, work)
     counted = {path: of for path, of in found.items() if path not in NOT_RUN}

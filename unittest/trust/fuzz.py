@@ -9,6 +9,8 @@ import re
 import shutil
 import subprocess
 
+import project
+
 from potdem.paths import ROOT
 from potdem.reports.writing import table
 
@@ -22,11 +24,8 @@ MINUTES = 10.0    # of processor time, all kinds together
 
 def built(build, folder):
     """(program, plugin)"""
-    if not (folder / "build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, "-DCMAKE_CXX_COMPILER=clang++",
-                        f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}"],
-                       cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", folder, "--target", "potdemplugin"], check=True)
+    project.build(folder, "-DCMAKE_CXX_COMPILER=clang++", f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}",
+                  targets=["potdemplugin"])
     cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
     sources = re.search(r"^POTDEM_LAMMPS_DIR:\w+=(.*)$|^LAMMPS_SOURCE_DIR:\w+=(.*)$", cache, re.MULTILINE)
     program, plain = folder / "fuzz", build / "unittest" / "plain"

@@ -11,13 +11,13 @@ docs/trust.md; a part that is not run keeps what the page has of its last run. E
 import argparse
 import datetime
 import importlib
-import os
-import re
 import subprocess
 import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+
+import project
 
 from potdem.paths import BUILD, DOCS, ROOT
 from potdem.reports.writing import with_blocks
@@ -38,13 +38,9 @@ TESTS = {
 def tests(part, build, work):
     """(text, failed) of one file of tests"""
     _, name, what = TESTS[part]
-    environment = {**os.environ, "POTDEM_BUILD": str(build)}
-    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-n", "auto", "-p", "no:cacheprovider", f"--basetemp={work / part}",
-                           str(ROOT / "unittest" / "python" / f"{name}.py")], capture_output=True, text=True, env=environment, check=False)
-    count = {word: int(number) for number, word in re.findall(r"(\d+) (passed|failed|error)", done.stdout.splitlines()[-1])}
-    failed = count.get("failed", 0) + count.get("error", 0)
-    print(done.stdout if failed else f"  {count.get('passed', 0)} passed", flush=True)
-    return f"{count.get('passed', 0)} of {count.get('passed', 0) + failed} tests pass: {what} (`unittest/python/{name}.py`).", failed
+    passed, failed, said = project.run_tests([ROOT / "unittest" / "python" / f"{name}.py"], build, work / part)
+    print(said if failed else f"  {passed} passed", flush=True)
+    return f"{passed} of {passed + failed} tests pass: {what} (`unittest/python/{name}.py`).", failed
 
 
 def measure(part, build, work):

@@ -22,6 +22,8 @@ import sys
 import time
 from dataclasses import dataclass
 
+import project
+
 from potdem.paths import ROOT
 from potdem.reports.writing import table
 
@@ -189,7 +191,7 @@ def build_them(source, build):
 
 def noticed(number, source, build, tests, folder):
     """the program that fails, or None; and seconds"""
-    environment = {**os.environ, "POTDEM_MUTANT": str(number), "POTDEM_BUILD": str(build), "PYTHONPATH": str(source / "tools")}
+    environment = project.environment(build, POTDEM_MUTANT=str(number), PYTHONPATH=str(source / "tools"))
     begun = time.monotonic()
     pytest = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", f"--basetemp={folder}",
               "-o", "console_output_style=classic"]

@@ -4,11 +4,11 @@
 """The tests in a LAMMPS that is compiled, all of it, with GCC's address and undefined-behaviour sanitizers, leaks included; a breaking body and a
 heap on two ranks under valgrind; clang-tidy with the checks that stand here."""
 
-import os
 import re
 import shutil
 import subprocess
-import sys
+
+import project
 
 from potdem import running, same_answer
 from potdem.paths import ROOT
@@ -28,33 +28,22 @@ CHECKS = ["bugprone-*", "-bugprone-easily-swappable-parameters", "-bugprone-narr
           "clang-analyzer-*", "performance-*", "-performance-enum-size", "-performance-no-int-to-ptr", "misc-redundant-expression"]
 
 
-def sanitized(folder):
-    if not (folder / "build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}",
-                        f"-DCMAKE_C_FLAGS={FLAGS}"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", folder, "--target", "lmp", "test_laws"], check=True)
-
-
-def environment(folder, work):
-    """a leak or an error ends a program badly, and with it its test"""
+def settings(work):
+    """of the environment: a leak or an error ends a program badly, and with it its test"""
     list_of_leaks = work / "leaks-of-others"
     list_of_leaks.write_text("".join(f"leak:{name}\n" for name in LEAKS_OF_OTHERS), encoding="utf-8")
-    return {**os.environ, "POTDEM_BUILD": str(folder), "PYTHONPATH": str(ROOT / "tools"), "ASAN_OPTIONS": "detect_leaks=1",
-            "LSAN_OPTIONS": f"suppressions={list_of_leaks}:print_suppressions=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
+    return {"ASAN_OPTIONS": "detect_leaks=1", "LSAN_OPTIONS": f"suppressions={list_of_leaks}:print_suppressions=0",
+            "UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
-def tests(folder, work, names=None):
+def tests(folder, work):
     """(passed, failed, names of the failed)"""
-    sanitized(folder)
-    settings = environment(folder, work)
-    subprocess.run([folder / "unittest" / "test_laws", "--gtest_brief=1"], check=True, env=settings)
-    python = ROOT / "unittest" / "python"
-    files = [str(path) for path in sorted(python.glob("test_*.py")) if path.stem not in LEFT_OUT and (not names or path.stem in names)]
-    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", "auto", "--dist", "loadfile",
-                           f"--basetemp={work / 'sanitized-tests'}", *files], cwd=ROOT, env=settings, capture_output=True, text=True, check=False)
-    (work / "sanitized.said").write_text(done.stdout, encoding="utf-8")
-    count = {word: int(number) for number, word in re.findall(r"(\d+) (passed|failed|error)", done.stdout.splitlines()[-1])}
-    return count.get("passed", 0), count.get("failed", 0) + count.get("error", 0), re.findall(r"^FAILED \S*?(test_\S+)", done.stdout, re.MULTILINE)
+    project.build(folder, "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DCMAKE_C_FLAGS={FLAGS}", targets=["lmp", "test_laws"])
+    subprocess.run([folder / "unittest" / "test_laws", "--gtest_brief=1"], check=True, env=project.environment(folder, **settings(work)))
+    files = [path for path in sorted((ROOT / "unittest" / "python").glob("test_*.py")) if path.stem not in LEFT_OUT]
+    passed, failed, said = project.run_tests(files, folder, work / "sanitized-tests", **settings(work))
+    (work / "sanitized.said").write_text(said, encoding="utf-8")
+    return passed, failed, re.findall(r"^FAILED \S*?(test_\S+)", said, re.MULTILINE)
 
 
 def under_valgrind(build, work):

@@ -1,0 +1,32 @@
+# POTDEM: potential-based discrete elements for LAMMPS
+# Distributed under the GNU General Public License, version 2
+
+"""What the parts have in common: a build in a folder of its own, and the Python tests with a build."""
+
+import os
+import re
+import subprocess
+import sys
+
+from potdem.paths import ROOT
+
+
+def build(folder, *settings, targets=()):
+    """configured once, with these settings of CMake, and brought up to date; all targets, or these"""
+    if not (folder / "build.ninja").exists():
+        subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, *settings], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", folder, *(["--target", *targets] if targets else [])], check=True)
+
+
+def environment(folder, **more):
+    """of tests with the build in this folder"""
+    return {**os.environ, "POTDEM_BUILD": str(folder), "PYTHONPATH": str(ROOT / "tools"), **more}
+
+
+def run_tests(files, folder, temporary, **more):
+    """(passed, failed, output) of files of tests, on all cores, with the build in a folder; more: variables of the environment"""
+    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", "auto", "--dist", "loadfile",
+                           f"--basetemp={temporary}", *map(str, files)], cwd=ROOT, env=environment(folder, **more), capture_output=True,
+                          text=True, check=False)
+    count = {word: int(number) for number, word in re.findall(r"(\d+) (passed|failed|error)", done.stdout.splitlines()[-1])}
+    return count.get("passed", 0), count.get("failed", 0) + count.get("error", 0), done.stdout
