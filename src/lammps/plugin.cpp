@@ -68,8 +68,7 @@ std::string beside_this_file(const char *name)
 
 }    // namespace
 
-extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
-                                                                         void *regfunc)
+extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 {
   if (!same_version(lmp) || !same_integers(lmp) || !has_bonded_particles(lmp)) return;
 

@@ -81,8 +81,7 @@ class Registration {
 
 }    // namespace
 
-extern "C" __attribute__((visibility("default"))) void
-potdem_register_styles(void *lmp, void *handle, void *regfunc)
+extern "C" void potdem_register_styles(void *lmp, void *handle, void *regfunc)
 {
   const Registration registration(lmp, handle, regfunc);
 

@@ -42,14 +42,14 @@ def check_touched(root, touched):
 def objects(build):
     """{object of the plugin's styles: (its command, what it was made from)}"""
     commands = output_of("ninja", "-t", "commands", STYLES, cwd=build).splitlines()
-    made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line and "potdemstyles.dir" in line}
+    made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line and "potdem.dir" in line}
     known = output_of("ninja", "-t", "deps", *made, cwd=build)
     needed = dict(re.findall(r"^(\S+\.o): .*\n((?: +\S+\n)*)", known, re.MULTILINE))
     return {name: (line, needed[name].split()) for name, line in made.items()}, commands[-1]
 
 
-def build_plugin(root, build, patch, folder):
-    """the plugin with the patch, in the folder"""
+def build_plugin(root, build, patch, folder, *options):
+    """the plugin with the patch, in the folder; options: of the compiler, after those of the build"""
     if not (build / "build.ninja").exists():
         pytest.skip("needs a build by Ninja")
     touched = apply(root, patch, folder)
@@ -63,7 +63,7 @@ def build_plugin(root, build, patch, folder):
         name, line = item
         local = folder / Path(name).name
         line = replaced(replaced(line, f"{root}/src", f"{folder}/src"), f" -o {name} ", f" -o {local} ")
-        output_of("sh", "-c", re.sub(r" -MD -MT \S+ -MF \S+", "", line), cwd=build)
+        output_of("sh", "-c", " ".join([re.sub(r" -MD -MT \S+ -MF \S+", "", line), *options]), cwd=build)
         return name, local
 
     with ThreadPoolExecutor(2) as workers:

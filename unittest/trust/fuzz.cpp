@@ -5,7 +5,10 @@
 
 /* libFuzzer against the package in a LAMMPS that goes on after errors: whatever is in a material file, in the arguments of a command,
    or in a sequence of commands, there is an error or a result, and no crash. POTDEM_FUZZ says which of the three; POTDEM_FUZZ_PLUGIN
-   is the plugin, compiled with the sanitizers. */
+   is the plugin, compiled with the sanitizers, if it is not the LAMMPS that has the styles.
+
+   Without libFuzzer (POTDEM_FUZZ_ALONE) the program takes the files that it is given and, after the number that comes first, as many
+   inputs that are made of them by chance, the same in every run: a short run for the tests. */
 
 #include "library.h"
 
@@ -13,6 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -56,7 +61,8 @@ const char *const BODY[] = {"units si",
 void begin(bool body)
 {
   run("clear");
-  run(std::string("plugin load ") + std::getenv("POTDEM_FUZZ_PLUGIN"));
+  if (const char *const plugin = std::getenv("POTDEM_FUZZ_PLUGIN"))
+    run(std::string("plugin load ") + plugin);
   if (!body) return;
   for (const char *const command : BODY) run(command);
 }
@@ -353,3 +359,41 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   if (kind == "sequence") sequence({data, data + size});
   return 0;
 }
+
+#ifdef POTDEM_FUZZ_ALONE
+
+using Input = std::vector<std::uint8_t>;
+
+static Input read(const char *name)
+{
+  std::ifstream file(name, std::ios::binary);
+  return Input(std::istreambuf_iterator<char>(file), {});
+}
+
+// one with a few bytes changed, or a new one
+static Input made(const std::vector<Input> &kept, std::mt19937 &chance)
+{
+  Input input = kept.empty() || chance() % 2 ? Input(chance() % 40 + 1)
+                                             : kept[chance() % kept.size()];
+  const bool is_new = kept.empty() || input == Input(input.size());
+  for (auto &byte : input)
+    if (is_new || chance() % 16 == 0) byte = chance();
+  return input;
+}
+
+int main(int narg, char **arg)
+{
+  std::vector<Input> kept;
+  for (int k = 2; k < narg; k++) kept.push_back(read(arg[k]));
+  for (const auto &input : kept) LLVMFuzzerTestOneInput(input.data(), input.size());
+  std::mt19937 chance(1);
+  for (int k = 0; k < std::atoi(arg[1]); k++) {
+    const Input input = made(kept, chance);
+    LLVMFuzzerTestOneInput(input.data(), input.size());
+  }
+  lammps_close(lmp);
+  printf("%d inputs\n", narg - 2 + std::atoi(arg[1]));
+  return 0;
+}
+
+#endif

@@ -8,7 +8,8 @@ Clang's parser (python3-clang) finds places in the bodies of functions; at each 
     (POTDEM_MUTANT(n) ? fault : e)
 
 so that one build has all faults, and the environment variable POTDEM_MUTANT switches one on. Nothing of this is in the sources of the
-package: they are copied to the build folder first."""
+package: they are copied to the build folder first. The tests are run once without a fault, to learn which faults each of them comes to;
+then, for each fault, those that come to it, the quickest first, until one fails."""
 
 import concurrent.futures
 import json
@@ -20,7 +21,8 @@ import shutil
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from pathlib import Path
 
 import project
 
@@ -32,15 +34,35 @@ COUNT, SEED = 200, 11
 TARGETS = ["core/laws/*.h", "core/contact/*.h", "lammps/pair/pair_potdem_loop.h", "lammps/bond/bond_potdem_loop.h"]
 # what includes all of them
 UNITS = ["lammps/pair/pair_potdem_laws.cpp", "lammps/bond/bond_potdem_laws.cpp", "lammps/wall/fix_potdem_wall_region.cpp"]
-# beside the laws' own tests, the ones that find most first
-TESTS = ["pair_laws", "two_particles", "width", "conservation", "damping", "restitution", "failure", "dead_bonds", "stress", "timestep", "monitor",
+# beside the laws' own tests
+TESTS = ["pair_laws", "two_particles", "conservation", "damping", "restitution", "failure", "dead_bonds", "stress", "timestep", "monitor",
          "energy_ledger", "dmt", "two_dimensions", "hybrid", "wall_laws", "friction_springs", "wall_friction", "wall_springs", "rolling",
-         "chung_ooi", "bodies", "strain", "invariances", "parallel", "restart", "resume"]
-LIMIT = 900    # s, for all tests of one fault: a run that hangs is noticed, too
+         "chung_ooi", "bodies", "strain", "invariances", "parallel", "restart", "resume", "adapt", "collisions", "waves", "left_out"]
+PLENTY = 150.0    # s of tests for one fault: what these do not notice counts as not noticed
 HEADER = """#pragma once
+#include <cstdio>
 #include <cstdlib>
-inline const int potdem_mutant = std::getenv("POTDEM_MUTANT") ? std::atoi(std::getenv("POTDEM_MUTANT")) : 0;
-#define POTDEM_MUTANT(n) (potdem_mutant == (n))
+// the faults that this program comes to; at its end their numbers are appended to the file POTDEM_REACHED
+struct PotdemMutants {
+  int on = std::getenv("POTDEM_MUTANT") ? std::atoi(std::getenv("POTDEM_MUTANT")) : 0;
+  bool reached[COUNT + 1] = {};
+  bool is(int n)
+  {
+    reached[n] = true;
+    return on == n;
+  }
+  ~PotdemMutants()
+  {
+    const char *const name = std::getenv("POTDEM_REACHED");
+    std::FILE *const file = name ? std::fopen(name, "a") : nullptr;
+    if (!file) return;
+    for (int n = 1; n <= COUNT; n++)
+      if (reached[n]) std::fprintf(file, "%d\n", n);
+    std::fclose(file);
+  }
+};
+inline PotdemMutants potdem_mutants;
+#define POTDEM_MUTANT(n) potdem_mutants.is(n)
 """
 OTHER = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
          "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
@@ -171,7 +193,7 @@ def write_sources(folder, faults):
     for name in filter(None, listed.split("\n")):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
-    (folder / "src" / "mutant.h").write_text(HEADER, encoding="utf-8")
+    (folder / "src" / "mutant.h").write_text(HEADER.replace("COUNT", str(len(faults))), encoding="utf-8")
     for path in {fault.file for fault in faults}:
         text = (folder / "src" / path).read_bytes()
         for number, fault in reversed(list(enumerate(faults, start=1))):
@@ -182,28 +204,76 @@ def write_sources(folder, faults):
 
 
 def build_them(source, build):
-    subprocess.run(["cmake", "--preset", "default", "-S", source, "-B", build], cwd=source, check=True, stdout=subprocess.DEVNULL)
+    """not for the wider registers: that takes many times as long, and the faults are the same"""
+    subprocess.run(["cmake", "--preset", "default", "-S", source, "-B", build, "-DPOTDEM_EXTRA_OPTIONS=-DPOTDEM_PLAIN_CODE"], cwd=source,
+                   check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", build, "--target", "lmp", "test_laws"], check=True)
 
 
 # --- the tests -----------------------------------------------------------------------------------------------------------------
 
 
-def noticed(number, source, build, tests, folder):
-    """the program that fails, or None; and seconds"""
-    environment = project.environment(build, POTDEM_MUTANT=str(number), PYTHONPATH=str(source / "tools"))
-    begun = time.monotonic()
-    pytest = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", f"--basetemp={folder}",
-              "-o", "console_output_style=classic"]
-    pytest += [str(source / "unittest" / "python" / f"test_{name}.py") for name in tests]
-    for command in ([str(build / "unittest" / "test_laws"), "--gtest_brief=1", "--gtest_fail_fast"], pytest):
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=source, timeout=LIMIT, check=False)
-        except subprocess.TimeoutExpired:
-            return "a test that takes too long", time.monotonic() - begun
+@dataclass
+class Mutated:
+    """the sources and the build with all faults, and what is learnt without any: {test: (seconds, faults that it comes to)}"""
+    source: Path
+    build: Path
+    work: Path
+    tests: dict = field(default_factory=dict)
+
+    def pytest(self, name, *options, **more):
+        """arguments for subprocess.run"""
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--basetemp={self.work / name}",
+                   "-o", "console_output_style=classic", *options]
+        environment = project.environment(self.build, PYTHONPATH=f"{self.source / 'tools'}{os.pathsep}{Path(__file__).parent}", **more)
+        return {"args": command, "env": environment, "cwd": self.source, "capture_output": True, "text": True, "check": False}
+
+    def learn(self):
+        """runs all tests without a fault"""
+        folder = self.work / "mutants-reached"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        files = [f"unittest/python/test_{name}.py" for name in TESTS]
+        done = subprocess.run(**self.pytest("mutants-tests", "-p", "reaching", "-n", "auto", "--dist", "loadfile", *files,
+                                            POTDEM_REACHING=str(folder)))
         if done.returncode != 0:
-            return first_failure(done.stdout + done.stderr), time.monotonic() - begun
-    return None, time.monotonic() - begun
+            raise RuntimeError(f"without any fault {first_failure(done.stdout + done.stderr)} fails")
+        for part in folder.glob("tests.*"):
+            for line in map(json.loads, part.read_text(encoding="utf-8").splitlines()):
+                self.tests[line["test"]] = line["seconds"], set(line["reached"])
+        self.share_runs()
+
+    def share_runs(self):
+        """a test that looks at what a fixture has run once for all of its file comes to what the file comes to"""
+        of_file = {}
+        for name, (_, reached) in self.tests.items():
+            of_file.setdefault(name.split("::")[0], set()).update(reached)
+        self.tests = {name: (seconds, reached or of_file[name.split("::")[0]]) for name, (seconds, reached) in self.tests.items()}
+
+    def quickest(self, number):
+        """the tests that come to a fault, as many as are plenty"""
+        chosen, total = [], 0.0
+        for name, (seconds, reached) in sorted(self.tests.items(), key=lambda item: item[1][0]):
+            if number in reached and total + seconds < PLENTY:
+                chosen.append(name)
+                total += seconds
+        return chosen
+
+    def notices(self, number):
+        """(what fails with this fault, or None; seconds)"""
+        begun = time.monotonic()
+        laws = {**self.pytest("", POTDEM_MUTANT=str(number)),
+                "args": [self.build / "unittest" / "test_laws", "--gtest_brief=1", "--gtest_fail_fast"]}
+        tests, folder = self.quickest(number), f"mutants-tests-{number}"
+        try:
+            done = subprocess.run(**laws, timeout=PLENTY)
+            if done.returncode == 0 and tests:
+                done = subprocess.run(**self.pytest(folder, "-x", "-p", "no:xdist", *tests, POTDEM_MUTANT=str(number)), timeout=3.0 * PLENTY)
+            found = None if done.returncode == 0 else first_failure(done.stdout + done.stderr)
+        except subprocess.TimeoutExpired:
+            found = "a test that takes too long"
+        shutil.rmtree(self.work / folder, ignore_errors=True)
+        return found, time.monotonic() - begun
 
 
 def first_failure(text):
@@ -214,24 +284,20 @@ def first_failure(text):
 def measure(build, work, count=None):
     """(text of the page's block, number of faults that should have been noticed and were not)"""
     faults, places = drawn(build)
-    source, mutated = work / "mutants-source", work / "mutants"
-    write_sources(source, faults)
-    build_them(source, mutated)
-    found, seconds = noticed(0, source, mutated, TESTS, work / "mutants-tests")
-    if found:
-        raise RuntimeError(f"without any fault {found} fails")
-    print(f"all tests without a fault: {seconds:.0f} s", flush=True)
+    mutated = Mutated(work / "mutants-source", work / "mutants", work)
+    write_sources(mutated.source, faults)
+    build_them(mutated.source, mutated.build)
+    mutated.learn()
+    print(f"{len(mutated.tests)} tests without a fault: {sum(seconds for seconds, _ in mutated.tests.values()):.0f} s", flush=True)
     faults = faults[:count]
     outcomes = {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        waiting = {pool.submit(noticed, n, source, mutated, TESTS, work / f"mutants-tests-{n}"): (n, fault)
-                   for n, fault in enumerate(faults, start=1)}
+        waiting = {pool.submit(mutated.notices, n): (n, fault) for n, fault in enumerate(faults, start=1)}
         for done in concurrent.futures.as_completed(waiting):
             n, fault = waiting[done]
             outcomes[n], took = done.result()
             how = outcomes[n] or "NOT NOTICED"
             print(f"{len(outcomes)}/{len(faults)} {how} ({took:.0f} s): {n} line {fault.line} {fault.name}", flush=True)
-            shutil.rmtree(work / f"mutants-tests-{n}", ignore_errors=True)
     return report(faults, outcomes, places)
 
 
