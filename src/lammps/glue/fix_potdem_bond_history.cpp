@@ -71,7 +71,7 @@ FixPotdemBondHistory *FixPotdemBondHistory::get(LAMMPS *lmp, const std::string &
     lmp->error->all(FLERR,
                     "{}: fix {}, in which the bonds remember their reference lengths and areas, "
                     "was removed with "
-                    "unfix: leave it, or begin anew with the undeformed body",
+                    "unfix: keep it, or start again from the undeformed body",
                     who, gone);
   return store;
 }

@@ -175,7 +175,7 @@ void PotdemMaterialFile::check_whole(PotdemInput &asking, const std::string &tex
                             "file",
                             name, LARGEST_FILE));
   if (text.find('\0') != std::string::npos)
-    asking.fail(fmt::format("material file {} has bytes of zero, so it is no plain text (perhaps "
+    asking.fail(fmt::format("material file {} has bytes of zero, so it is not plain text (perhaps "
                             "UTF-16, or a binary file): save it as plain text, in ASCII or UTF-8",
                             name));
   if (!text.empty() && text.back() != '\n')
@@ -257,7 +257,7 @@ void PotdemMaterialFile::convert(PotdemInput &asking, const std::string &units)
       one.second *= factor[dimension];
       if (!std::isnormal(one.second))
         asking.fail(fmt::format("{} of material '{}' in {} is {:g} in {} units, which is too {} "
-                                "for a number in {} units: mend the value, or use {} units",
+                                "for a number in {} units: correct the value, or use {} units",
                                 one.first, material.first, name, value, units,
                                 std::isinf(one.second) ? "large" : "small", wanted, units));
     }

@@ -74,7 +74,7 @@ void PairPotdemBase::find_contacts(int state)
     error->all(FLERR,
                "pair_style {}: fix {}, in which contacts remember where they begin, was removed "
                "with unfix: "
-               "leave it, or begin anew",
+               "keep it, or start the simulation again",
                name(), contacts_id);
   const bool bonds = !potdem_find<BondMemory>(lmp).empty();
   if (state > 0 || bonds || modify->get_fix_by_id(contacts_id))

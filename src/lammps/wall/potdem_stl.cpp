@@ -45,7 +45,7 @@ static std::vector<Vector> read_binary(const std::string &content)
       corners.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
       if (!is_finite(corners.back()))
         throw std::runtime_error(
-            fmt::format("triangle {} has a corner that is no number", (corners.size() + 2) / 3));
+            fmt::format("triangle {} has a corner that is not a number", (corners.size() + 2) / 3));
     }
   }
   return corners;
@@ -59,7 +59,7 @@ static Vector read_corner(const std::vector<std::string> &words)
       throw std::runtime_error("'vertex' needs three numbers");
     x[k] = std::stod(words[1 + k]);
   }
-  if (!is_finite(x)) throw std::runtime_error("a corner is no finite number");
+  if (!is_finite(x)) throw std::runtime_error("a corner is not a finite number");
   return x;
 }
 
@@ -74,7 +74,7 @@ static void read_line(const std::string &line, std::vector<Vector> &corners)
   } else if (first == "facet" || first == "endfacet") {
     if (corners.size() % 3 != 0) throw std::runtime_error("a facet without three corners");
   } else if (first != "solid" && first != "endsolid" && first != "outer" && first != "endloop") {
-    throw std::runtime_error(fmt::format("'{}' is no word of STL", first));
+    throw std::runtime_error(fmt::format("'{}' is not an STL keyword", first));
   }
 }
 

@@ -36,7 +36,7 @@ void PotdemWallMemory::init()
   if (!store)
     error->all(FLERR,
                "Fix potdem/wall/region {}: fix {}, in which its contacts remember their friction, "
-               "was removed with unfix: leave it, or define the wall again",
+               "was removed with unfix: keep it, or define the wall again",
                id_owner, id);
 }
 
