@@ -18,7 +18,7 @@ POTDEM_PACKAGES=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libgtest-dev l
 POTDEM_MANUAL_PACKAGES=(python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax)
 POTDEM_PDF_PACKAGES=(chromium)
 # for unittest/run --full alone
-POTDEM_TRUST_PACKAGES=(clang clang-tidy python3-clang gcovr valgrind git)
+POTDEM_TRUST_PACKAGES=(clang clang-tidy libomp-dev python3-clang gcovr valgrind git)
 
 die() {
   printf '%s\n' "$*" >&2

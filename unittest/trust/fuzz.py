@@ -26,13 +26,10 @@ def built(build, folder):
     """(program, plugin)"""
     project.build(folder, "-DCMAKE_CXX_COMPILER=clang++", f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}",
                   targets=["potdemplugin"])
-    cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
-    sources = re.search(r"^POTDEM_LAMMPS_DIR:\w+=(.*)$|^LAMMPS_SOURCE_DIR:\w+=(.*)$", cache, re.MULTILINE)
     program, plain = folder / "fuzz", build / "unittest" / "plain"
-    mpi = subprocess.run(["mpicxx", "--showme:compile"], capture_output=True, text=True, check=True).stdout.split()
-    subprocess.run(["clang++", "-std=c++17", *SANITIZED, "-fsanitize=fuzzer", "-rdynamic", *mpi, "-DLAMMPS_LIB_MPI",
-                    "-I", next(filter(None, sources.groups())) + "/src", ROOT / "unittest" / "trust" / "fuzz.cpp", "-o", program,
-                    "-L", plain, "-llammps", f"-Wl,-rpath,{plain}"], check=True)
+    subprocess.run(["clang++", "-std=c++17", *SANITIZED, "-fsanitize=fuzzer", "-rdynamic", *project.lammps_includes(folder),
+                    ROOT / "unittest" / "trust" / "fuzz.cpp", "-o", program, "-L", plain, "-llammps", f"-Wl,-rpath,{plain}",
+                    *project.mpi("link")], check=True)
     return program, folder / "potdemplugin.so"
 
 

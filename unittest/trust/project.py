@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 from potdem.paths import ROOT
 
@@ -16,6 +17,22 @@ def build(folder, *settings, targets=()):
     if not (folder / "build.ninja").exists():
         subprocess.run(["cmake", "--preset", "default", "-S", ROOT, "-B", folder, *settings], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", folder, *(["--target", *targets] if targets else [])], check=True)
+
+
+def lammps_source(folder):
+    """of the LAMMPS that the build in a folder is for"""
+    cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
+    return Path(re.search(r"^POTDEM_LAMMPS_DIR:\w+=(.*)$", cache, re.MULTILINE).group(1)) / "src"
+
+
+def mpi(stage):
+    """options of the compiler for MPI; stage: compile or link"""
+    return subprocess.run(["mpicxx", f"--showme:{stage}"], capture_output=True, text=True, check=True).stdout.split()
+
+
+def lammps_includes(folder):
+    """options for a program that uses liblammps"""
+    return ["-I", lammps_source(folder), "-DLAMMPS_LIB_MPI", *mpi("compile")]
 
 
 def environment(folder, **more):

@@ -2,13 +2,14 @@
 # Distributed under the GNU General Public License, version 2
 
 """The tests in a LAMMPS that is compiled, all of it, with GCC's address and undefined-behaviour sanitizers, leaks included; a breaking body and a
-heap on two ranks under valgrind; clang-tidy with the checks that stand here."""
+heap on two ranks under valgrind; the styles /omp under the thread sanitizer; clang-tidy with the checks that stand here."""
 
 import re
 import shutil
 import subprocess
 
 import project
+import threads
 
 from potdem import running, same_answer
 from potdem.paths import ROOT
@@ -79,8 +80,11 @@ def tidy(build):
 def measure(build, work):
     passed, failed, names = tests(work / "sanitized", work)
     valgrind = under_valgrind(build, work)
+    races = threads.races(build, work)
+    (work / "races.said").write_text("\n".join(races), encoding="utf-8")
     lines = tidy(build)
     rows = [("tests with the address and undefined-behaviour sanitizers, leaks included", f"{passed} passed", ", ".join(names) or "nothing"),
             ("valgrind, 2 ranks, a body that breaks", "memory read or written", f"{len(valgrind)} errors" if valgrind else "nothing"),
+            ("thread sanitizer, 2 threads, a body that breaks and a heap", "data races", f"{len(races)} reports" if races else "nothing"),
             ("clang-tidy", f"`{', '.join(CHECKS)}`", f"{len(lines)} lines" if lines else "nothing")]
-    return table(["what", "", "found"], rows), failed + len(valgrind) + len(lines)
+    return table(["what", "", "found"], rows), failed + len(valgrind) + len(races) + len(lines)
