@@ -466,3 +466,38 @@ def test_to_go_on_is_to_set_up_anew(run_lammps, tmp_path, event, chain):
     going = go_on(run_lammps, tmp_path, event, chain[0])
     for nprocs in chain[1:]:
         assert_same(going, set_up_anew(run_lammps, tmp_path, event, nprocs))
+
+
+# --- runs that leave the set-up out ---------------------------------------------------------------------------
+
+BEAM = block() + scripts.velocities_by_formula(2.0) + MOVE + "region floor plane 0 0 -0.2 0 0 1 units box\n" + UNBROKEN
+WALL = "fix wall all potdem/wall/region floor law truss 1000 0.5\n"
+# what happens between two runs: before the first, between
+CHANGES = {
+    "another pair style": ("", "pair_style potdem/hertz\npair_coeff * * 1000 0.3\n"),
+    "no pair style": ("", "pair_style none\n"),
+    "the bond style anew": ("", "bond_style potdem/truss\nbond_coeff * 500 area lattice\n"),
+    "a wall": ("", WALL),
+    "no wall any more": (WALL, "unfix wall\n"),
+    "damping": ("", "fix damp all potdem/damping 0.5\n"),
+    "no damping any more": ("fix damp all potdem/damping 0.5\n", "unfix damp\n"),
+    "a lower strength": ("", "unfix fail\nfix fail all potdem/failure 1 tension 20\n"),
+    "an adaptive step": ("", "fix step all potdem/timestep 2 0.1 max 0.01\n"),
+}
+
+
+@pytest.mark.parametrize("before, between", CHANGES.values(), ids=CHANGES.keys())
+def test_a_style_that_comes_or_goes_is_set_up_without_being_asked_for(run_lammps, before, between):
+    """LAMMPS leaves the set-up out with 'pre no', and trusts that nothing has changed"""
+    script = BEAM + before + "thermo 10\nthermo_style custom step ke pe ebond bonds dt\n" \
+        f"thermo_modify format float {scripts.ALL_DIGITS}\nrun 20\n" + between + "run 60"
+    asked, not_asked = (run_lammps(script + more).thermo for more in ("\n", " pre no\n"))
+    assert asked["KinEng"][-1] > 0
+    for name, values in asked.items():
+        assert np.array_equal(not_asked[name], values), name
+
+
+def test_nothing_is_set_up_where_nothing_has_changed(run_lammps):
+    """LAMMPS counts the neighbour lists that a run builds, without those of set-up; and says when it sets up"""
+    run = run_lammps(BEAM + "run 5\nrun 5 pre no\n")
+    assert run.stdout.count("Setting up Verlet run") == 1

@@ -8,7 +8,7 @@
    is the plugin, compiled with the sanitizers, if it is not the LAMMPS that has the styles.
 
    Without libFuzzer (POTDEM_FUZZ_ALONE) the program takes the files that it is given and, after the number that comes first, as many
-   inputs that are made of them by chance, the same in every run: a short run for the tests. */
+   inputs that are made of them by chance, the same in every run: a short run for the tests. The last one is in the file input. */
 
 #include "library.h"
 
@@ -18,6 +18,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,18 @@ namespace {
 void *lmp = nullptr;
 std::string kind;
 
-bool run(const std::string &command)
+// commands in lines, up to one that fails
+bool run(const std::string &commands)
 {
-  lammps_command(lmp, command.c_str());
-  if (!lammps_has_error(lmp)) return true;
-  char message[512];
-  lammps_get_last_error_message(lmp, message, sizeof(message));
-  return false;
+  std::istringstream lines(commands);
+  for (std::string command; std::getline(lines, command);) {
+    lammps_command(lmp, command.c_str());
+    if (!lammps_has_error(lmp)) continue;
+    char message[512];
+    lammps_get_last_error_message(lmp, message, sizeof(message));
+    return false;
+  }
+  return true;
 }
 
 // a body of 3 x 3 x 3 particles of two types, bonded, with a wall; every command of the package has something to work on
@@ -223,119 +229,56 @@ void arguments(Bytes bytes)
 /* ---------------------------------------------------------------------- */
 
 const char *const COMMANDS[] = {
-    "run 0",
-    "run 1",
-    "run 7",
-    "run 3 pre no",
-    "minimize 0 1e-6 5 20",
-    "potdem_bonds all 1 1.2",
-    "potdem_bonds all 2 1.5",
-    "potdem_bonds half 1 1.9",
-    "group half id <= 13",
-    "group half clear",
-    "delete_atoms group half",
-    "delete_atoms group half bond yes",
-    "delete_atoms overlap 0.9 all all",
-    "delete_bonds all bond 1 remove special",
-    "delete_bonds half bond 1",
-    "delete_bonds all bond 1 undo",
-    "create_bonds many half all 1 0.5 1.3",
-    "create_atoms 1 single 3 3 3",
-    "create_atoms 2 single 0.4 2.5 0",
-    "set group all diameter 1.0",
-    "set group half diameter 1.3",
-    "set group all density 2.0",
-    "set atom 3 x 0.1",
-    "set group half type 2",
-    "set group half bond 2",
-    "displace_atoms half move 0.3 0 0",
-    "displace_atoms half rotate 0 0 0 0 0 1 20",
-    "velocity all create 1.0 4711 loop geom",
-    "velocity half set 3 0 0",
-    "change_box all x scale 1.05 remap",
-    "change_box all boundary p p p",
-    "change_box all boundary f f f",
-    "write_restart fuzzed.restart",
-    "read_restart fuzzed.restart",
-    "write_data fuzzed.data",
-    "clear",
-    "reset_atoms id",
-    "reset_atoms id sort yes",
-    "replicate 1 1 1",
-    "replicate 2 1 1 bond/periodic",
-    "fix f all potdem/failure 1 tension 3",
-    "fix f all potdem/failure * compression 2 scatter weibull 3 5",
-    "unfix f",
-    "fix d all potdem/damping 0.3",
-    "unfix d",
-    "fix t all potdem/timestep 2 0.5 max 0.01",
+    "run 0", "run 1", "run 7", "run 1 post no\nrun 3 pre no",
+    "run 1 post no\npair_style potdem/hertz\nrun 3 pre no",
+    "run 1 post no\nbond_style potdem/truss\nrun 3 pre no",
+    "run 1 post no\nfix d all potdem/damping 0.3\nrun 3 pre no", "minimize 0 1e-6 5 20",
+    "potdem_bonds all 1 1.2", "potdem_bonds all 2 1.5", "potdem_bonds half 1 1.9",
+    "group half id <= 13", "group half clear", "delete_atoms group half",
+    "delete_atoms group half bond yes", "delete_atoms overlap 0.9 all all",
+    "delete_bonds all bond 1 remove special", "delete_bonds half bond 1",
+    "delete_bonds all bond 1 undo", "create_bonds many half all 1 0.5 1.3",
+    "create_atoms 1 single 3 3 3", "create_atoms 2 single 0.4 2.5 0", "set group all diameter 1.0",
+    "set group half diameter 1.3", "set group all density 2.0", "set atom 3 x 0.1",
+    "set group half type 2", "set group half bond 2", "displace_atoms half move 0.3 0 0",
+    "displace_atoms half rotate 0 0 0 0 0 1 20", "velocity all create 1.0 4711 loop geom",
+    "velocity half set 3 0 0", "change_box all x scale 1.05 remap", "change_box all boundary p p p",
+    "change_box all boundary f f f", "write_restart fuzzed.restart", "read_restart fuzzed.restart",
+    "write_data fuzzed.data", "clear", "reset_atoms id", "reset_atoms id sort yes",
+    "replicate 1 1 1", "replicate 2 1 1 bond/periodic", "fix f all potdem/failure 1 tension 3",
+    "fix f all potdem/failure * compression 2 scatter weibull 3 5", "unfix f",
+    "fix d all potdem/damping 0.3", "unfix d", "fix t all potdem/timestep 2 0.5 max 0.01",
     "unfix t",
     "fix w all potdem/wall/region floor 100 0.3 particle 100 0.3 friction 0.3 spring 0.5",
-    "unfix w",
-    "fix w all potdem/wall/region floor law truss 100 0.5",
-    "region floor delete",
-    "region floor plane 0 0 -1.4 0 0 1 units box",
-    "compute e all potdem/energy",
-    "uncompute e",
-    "compute s all potdem/strain/atom",
-    "uncompute s",
-    "compute p all potdem/piece/atom",
-    "compute c all potdem/timestep",
-    "thermo_style custom step pe bonds",
-    "thermo_style custom step c_e c_e[7] c_c",
-    "variable n equal f_f",
-    "thermo 1",
-    "pair_style potdem/truss",
-    "pair_coeff * * 50 0.4 friction 0.3 spring 0.6",
-    "pair_coeff * * 50 0.4",
-    "pair_style potdem/hertz rotation yes",
-    "pair_coeff * * 100 0.3 friction 0.3 mindlin rolling 0.1 0.5 0.1",
-    "pair_style none",
-    "bond_style potdem/truss",
-    "bond_style none",
-    "bond_coeff * 100 area factor 0.4 penetration 2 damping 0.1",
-    "bond_coeff 1 100 area lattice",
-    "bond_coeff 2 50 area body",
-    "pair_style hybrid/overlay potdem/truss potdem/lj",
-    "pair_coeff * * potdem/truss 50 0.4",
-    "pair_coeff * * potdem/lj 50 0.1 2 0.2",
-    "special_bonds lj 1 1 1",
-    "special_bonds lj 0 1 1 coul 0 1 1",
-    "newton off",
-    "neighbor 0.1 bin",
-    "neigh_modify exclude type 1 2",
-    "comm_modify cutoff 0.5",
-    "comm_modify cutoff 3.0",
-    "atom_modify sort 1 0.5",
-    "timestep 1e-2",
-    "timestep 0.1",
-    "timestep 0",
-    "fix move all nve",
-    "unfix move",
-    "fix move all nve/sphere",
-    "fix a all adapt 1 atom diameter v_big",
-    "variable big equal 1+0.01*step",
-    "unfix a",
-    "fix p all deposit 3 1 2 5 region body",
-    "unfix p",
-    "restart 2 fuzzed.a fuzzed.b",
-    "restart 0",
-    "unfix POTDEM_BONDS",
-    "unfix POTDEM_LEDGER",
-    "unfix POTDEM_MONITOR",
-    "reset_timestep 0",
-    "reset_timestep 5",
-    "region m potdem/mesh none.stl",
-    "run_style respa 2 2"};
+    "unfix w", "fix w all potdem/wall/region floor law truss 100 0.5", "region floor delete",
+    "region floor plane 0 0 -1.4 0 0 1 units box", "compute e all potdem/energy", "uncompute e",
+    "compute s all potdem/strain/atom", "uncompute s", "compute p all potdem/piece/atom",
+    "compute c all potdem/timestep", "thermo_style custom step pe bonds",
+    "thermo_style custom step c_e c_e[7] c_c", "variable n equal f_f", "thermo 1",
+    "pair_style potdem/truss", "pair_coeff * * 50 0.4 friction 0.3 spring 0.6",
+    "pair_coeff * * 50 0.4", "pair_style potdem/hertz rotation yes",
+    "pair_coeff * * 100 0.3 friction 0.3 mindlin rolling 0.1 0.5 0.1", "pair_style none",
+    "bond_style potdem/truss", "bond_style none",
+    "bond_coeff * 100 area factor 0.4 penetration 2 damping 0.1", "bond_coeff 1 100 area lattice",
+    "bond_coeff 2 50 area body", "pair_style hybrid/overlay potdem/truss potdem/lj",
+    "pair_coeff * * potdem/truss 50 0.4", "pair_coeff * * potdem/lj 50 0.1 2 0.2",
+    "special_bonds lj 1 1 1", "special_bonds lj 0 1 1 coul 0 1 1", "newton off", "neighbor 0.1 bin",
+    "neigh_modify exclude type 1 2", "comm_modify cutoff 0.5", "comm_modify cutoff 3.0",
+    "atom_modify sort 1 0.5", "timestep 1e-2", "timestep 0.1", "timestep 0", "fix move all nve",
+    "unfix move", "fix move all nve/sphere",
+    // LAMMPS's fix adapt does not live through create_atoms before a run (docs/upstream.md)
+    "fix a all adapt 1 atom diameter v_big\nrun 0", "variable big equal 1+0.01*step", "unfix a",
+    "fix p all deposit 3 1 2 5 region body", "unfix p", "restart 2 fuzzed.a fuzzed.b", "restart 0",
+    "unfix POTDEM_BONDS", "unfix POTDEM_LEDGER", "unfix POTDEM_MONITOR", "reset_timestep 0",
+    "reset_timestep 5", "region m potdem/mesh none.stl", "run_style respa 2 2"};
 constexpr unsigned NCOMMANDS = sizeof(COMMANDS) / sizeof(COMMANDS[0]);
 
-// LAMMPS itself is not made to go on after an error in a run: then it begins anew
-bool is_a_run(const std::string &command)
+// after an error of a command of its own LAMMPS itself may not go on: of thermo_style there is no thermo output any more, a run that failed
+// in its set-up leaves requests for neighbour lists, and a fix that was to take the place of another one a gap. It begins anew
+bool goes_on(const std::string &command)
 {
-  for (const char *const first : {"run", "minimize", "read_restart", "replicate", "delete_",
-                                  "create_bonds", "change_box", "write_"})
-    if (command.rfind(first, 0) == 0) return true;
-  return false;
+  if (command.rfind("run", 0) == 0 || command.rfind("fix", 0) == 0) return false;
+  return command.find("potdem") != std::string::npos || command.find("_coeff") != std::string::npos;
 }
 
 void sequence(Bytes bytes)
@@ -344,7 +287,7 @@ void sequence(Bytes bytes)
   for (int k = 0; k < 40 && !bytes.empty(); k++) {
     const std::string command = COMMANDS[bytes.below(NCOMMANDS)];
     if (std::getenv("POTDEM_FUZZ_SHOW")) fprintf(stderr, "%s\n", command.c_str());
-    if (!run(command) && is_a_run(command)) return begin(true);
+    if (!run(command) && !goes_on(command)) return begin(true);
     if (command == "clear") begin(true);
   }
 }
@@ -389,6 +332,7 @@ int main(int narg, char **arg)
   std::mt19937 chance(1);
   for (int k = 0; k < std::atoi(arg[1]); k++) {
     const Input input = made(kept, chance);
+    std::ofstream("input", std::ios::binary).write((const char *) input.data(), input.size());
     LLVMFuzzerTestOneInput(input.data(), input.size());
   }
   lammps_close(lmp);

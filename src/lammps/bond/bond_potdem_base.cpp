@@ -11,6 +11,7 @@
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/fix_potdem_refresh.h"
 #include "lammps/glue/lammps_compat.h"
+#include "lammps/glue/potdem_input.h"
 #include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/output/fix_potdem_monitor.h"
 #include "lammps/output/potdem_stiffness.h"
@@ -48,6 +49,7 @@ BondPotdemBase::BondPotdemBase(LAMMPS *lmp, const std::string &name, int nstate)
     damped(false), ledger(nullptr), history(nullptr), lost(false), monitor(nullptr), generation(-1),
     new_bonds(true)
 {
+  potdem_needs_setup(lmp);
   partial_flag = 1;
   writedata = 1;
   single_extra = PotdemCompat::columns_in_single(lmp, force->bond_style) ? NEXTRA : 0;
@@ -56,6 +58,7 @@ BondPotdemBase::BondPotdemBase(LAMMPS *lmp, const std::string &name, int nstate)
 
 BondPotdemBase::~BondPotdemBase()
 {
+  potdem_needs_setup(lmp);
   delete[] svector;
   if (allocated) memory->destroy(setflag);
   for (auto &one : adaptable) memory->destroy(one.values);

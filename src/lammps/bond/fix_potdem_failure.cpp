@@ -22,6 +22,7 @@
 #include "lammps/glue/find_styles.h"
 #include "lammps/glue/fix_potdem_bond_history.h"
 #include "lammps/glue/lammps_compat.h"
+#include "lammps/glue/potdem_input.h"
 #include "lammps/glue/potdem_material_input.h"
 #include "lammps/glue/potdem_restart_block.h"
 #include "lammps/glue/potdem_swap.h"
@@ -55,6 +56,7 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
     compression(-1.0), lost{}, uncounted(0), bonds(nullptr), history(nullptr), maxrows(0),
     generation(-1)
 {
+  potdem_needs_setup(lmp);
   PotdemMaterialInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "a failure is a row");
   btype = input.bond_type();
@@ -86,6 +88,7 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
 
 FixPotdemFailure::~FixPotdemFailure()
 {
+  potdem_needs_setup(lmp);
   memory->destroy(array_local);
 }
 

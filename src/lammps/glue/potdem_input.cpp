@@ -25,6 +25,11 @@ void LAMMPS_NS::potdem_refuse_respa(LAMMPS *lmp, const std::string &command)
     lmp->error->all(FLERR, "{} works with run_style verlet only, not with respa", command);
 }
 
+void LAMMPS_NS::potdem_needs_setup(LAMMPS *lmp)
+{
+  if (lmp->update) lmp->update->first_update = 0;
+}
+
 bool LAMMPS_NS::potdem_minimizes(LAMMPS *lmp)
 {
   return lmp->update->whichflag == 2;

@@ -21,6 +21,9 @@ namespace LAMMPS_NS {
 // run_style respa would leave these styles out of its levels, or out altogether
 void potdem_refuse_respa(LAMMPS *lmp, const std::string &command);
 
+// a style has come, or goes: the next run begins with a set-up, as the first one, even with 'pre no'
+void potdem_needs_setup(LAMMPS *lmp);
+
 // in a minimization velocities mean nothing: no friction, no viscous forces, no ledger
 bool potdem_minimizes(LAMMPS *lmp);
 

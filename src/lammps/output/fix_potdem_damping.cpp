@@ -19,6 +19,7 @@ using namespace FixConst;
 FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), damping{0.0, false}, damps_weight(true), ledger(nullptr)
 {
+  potdem_needs_setup(lmp);
   dynamic_group_allow = 1;
   PotdemInput input(lmp, "fix potdem/damping", narg - 3, arg + 3);
   damping.lambda = input.in_range("lambda", POTDEM::fraction());
@@ -40,6 +41,11 @@ FixPotdemDamping::FixPotdemDamping(LAMMPS *lmp, int narg, char **arg) :
       input.unknown("vector or component");
     }
   }
+}
+
+FixPotdemDamping::~FixPotdemDamping()
+{
+  potdem_needs_setup(lmp);
 }
 
 int FixPotdemDamping::setmask()

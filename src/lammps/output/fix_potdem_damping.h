@@ -18,6 +18,7 @@ namespace LAMMPS_NS {
 class FixPotdemDamping : public Fix, public ForceAmplifier {
  public:
   FixPotdemDamping(class LAMMPS *, int, char **);
+  ~FixPotdemDamping() override;
   int setmask() override;
   double amplification() const override { return damping.amplification(); }
   bool amplifies(int i) const override;

@@ -33,6 +33,7 @@ static constexpr int AHEAD = 10;    // longest steps for which collisions are fo
 FixPotdemTimestep::FixPotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), started(false)
 {
+  potdem_needs_setup(lmp);
   PotdemInput input(lmp, "fix potdem/timestep", narg - 3, arg + 3);
   nevery = input.whole("N", MAXSMALLINT);
   fraction = input.in_range("fraction", POTDEM::positive());
@@ -57,6 +58,7 @@ FixPotdemTimestep::FixPotdemTimestep(LAMMPS *lmp, int narg, char **arg) :
 
 FixPotdemTimestep::~FixPotdemTimestep()
 {
+  potdem_needs_setup(lmp);
   if (modify->get_compute_by_id(critical_id)) modify->delete_compute(critical_id);
 }
 

@@ -37,10 +37,12 @@ PairPotdemBase::PairPotdemBase(LAMMPS *lmp) :
     PairWithCutoffsBySize(lmp), rotation(0), ledger(nullptr), contacts(nullptr), monitor(nullptr),
     atom_types(0), contacts_id(FixPotdemContacts::reserve(lmp)), lost_contacts(false)
 {
+  potdem_needs_setup(lmp);
 }
 
 PairPotdemBase::~PairPotdemBase()
 {
+  potdem_needs_setup(lmp);
   FixPotdemContacts::release(lmp, contacts_id);
 }
 

@@ -8,6 +8,7 @@
 #include "lammps/wall/fix_potdem_wall_region.h"
 
 #include "core/stability/turning_point.h"
+#include "lammps/glue/potdem_input.h"
 #include "lammps/glue/potdem_law_io.h"
 #include "lammps/glue/potdem_restart_block.h"
 #include "lammps/output/fix_potdem_monitor.h"
@@ -46,6 +47,7 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
     rub(nullptr), rotation(false), inertia(POTDEM::SPHERE_INERTIA), step(0.0), listed(-1), mine(),
     total(), summed(false)
 {
+  potdem_needs_setup(lmp);
   scalar_flag = vector_flag = 1;
   size_vector = 6;
   global_freq = 1;
@@ -55,6 +57,11 @@ FixPotdemWallRegion::FixPotdemWallRegion(LAMMPS *lmp, int narg, char **arg) :
   dynamic_group_allow = 1;
   restart_global = 1;
   read(narg - 3, arg + 3);
+}
+
+FixPotdemWallRegion::~FixPotdemWallRegion()
+{
+  potdem_needs_setup(lmp);
 }
 
 /* ----------------------------------------------------------------------

@@ -43,6 +43,7 @@ template <class Law> struct PotdemWallLaw {
 class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySource {
  public:
   FixPotdemWallRegion(class LAMMPS *, int, char **);
+  ~FixPotdemWallRegion() override;
   void post_constructor() override;
   int setmask() override;
   void init() override;
