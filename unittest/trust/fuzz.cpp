@@ -29,15 +29,18 @@ namespace {
 void *lmp = nullptr;
 std::string kind;
 
-// commands in lines, up to one that fails
+// commands in lines, up to one that fails; POTDEM_FUZZ_SHOW: they are shown, and what fails
 bool run(const std::string &commands)
 {
+  static const bool show = std::getenv("POTDEM_FUZZ_SHOW");
   std::istringstream lines(commands);
   for (std::string command; std::getline(lines, command);) {
+    if (show) fprintf(stderr, "%s\n", command.c_str());
     lammps_command(lmp, command.c_str());
     if (!lammps_has_error(lmp)) continue;
     char message[512];
     lammps_get_last_error_message(lmp, message, sizeof(message));
+    if (show) fprintf(stderr, "  %s\n", message);
     return false;
   }
   return true;
@@ -123,7 +126,6 @@ const char *const STYLES[] = {"pair_coeff * *",
                               "pair_style potdem/granular",
                               "pair_style potdem/dmt",
                               "pair_style potdem/truss",
-                              "pair_style hybrid potdem/truss potdem/hertz",
                               "bond_style potdem/truss"};
 
 const char *const WORDS[] = {"1",
@@ -286,7 +288,6 @@ void sequence(Bytes bytes)
   begin(true);
   for (int k = 0; k < 40 && !bytes.empty(); k++) {
     const std::string command = COMMANDS[bytes.below(NCOMMANDS)];
-    if (std::getenv("POTDEM_FUZZ_SHOW")) fprintf(stderr, "%s\n", command.c_str());
     if (!run(command) && !goes_on(command)) return begin(true);
     if (command == "clear") begin(true);
   }
