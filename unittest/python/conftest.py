@@ -24,6 +24,8 @@ MARKERS = {
 def pytest_configure(config):
     for name, text in MARKERS.items():
         config.addinivalue_line("markers", f"{name}: {text}")
+    # several tests at a time, on more ranks than there are cores: one that waits for another lets it have the core
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     config.named_by_every_style = []    # scripts and what LAMMPS said to them
     if THROUGH_PLUGIN:
         os.environ["LAMMPS_PLUGIN_PATH"] = str(BUILD)
