@@ -175,6 +175,8 @@ KEPT = {
     "restart": "write_restart half.restart\nclear\nread_restart half.restart\n" + SETTINGS,
     "pair_style again": "pair_style potdem/truss\npair_coeff * * 1000 0.5\n",
     "bond_style again": "bond_style potdem/truss\nbond_coeff * 1000 area factor 0.5\n",
+    "friction that remembers": "pair_coeff * * 1000 0.5 friction 0.3 spring 0.5\n",
+    "friction that remembers, and then none": "pair_coeff * * 1000 0.5 friction 0.3 spring 0.5\nrun 0\npair_coeff * * 1000 0.5\n",
     "other pages": "neigh_modify one 1000 page 20000\n",
     "a minimisation": "min_modify dmax 1e-9\nmin_style cg\nminimize 0 0 2 2\nset atom 1 x 0\n",
     "a run in pieces": "run 3 pre no\nrun 2 post no\n",
@@ -215,6 +217,18 @@ def test_a_crack_begins_free_of_force(run_lammps, through, nprocs):
     for (energy, push), r in zip(found, places):
         assert energy == pytest.approx(contact_energy(r, 0.9), rel=1e-9, abs=1e-15), r
         assert push == pytest.approx(contact_push(r, 0.9), rel=1e-9, abs=1e-13), r
+
+
+@pytest.mark.parametrize("nprocs", [1, 2])
+def test_a_crack_through_a_pair_that_failed_begins_anew(run_lammps, nprocs):
+    """first at 0.85, and then where the crack is made"""
+    script = replaced(FAILED, "\nset group all mass", "\ncreate_atoms 1 single 0 5 0 units box\ncreate_atoms 1 single 0 5.9 0 units box\n"
+                      "set atom 3*4 diameter 1\nset group all mass", 1)
+    script += path(0.84) + "set atom 2 x 0.9\nregion slit block 0.4 0.5 -1 1 INF INF units box\n"
+    script += "delete_bonds all bond 1 any remove special\npotdem_bonds all 1 1.05 crack slit\n" + path(0.84)
+    found = scripts.results(run_lammps(script, nprocs=nprocs).stdout)
+    for (_, push), start in zip(found, (0.85, 0.9)):
+        assert push == pytest.approx(contact_push(0.84, start), rel=1e-9), start
 
 
 @pytest.mark.parametrize("law, coeff", [("potdem/hertz", "1000 0.3"), ("potdem/lj", "300 0.5 3 0.2")])
