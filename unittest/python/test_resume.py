@@ -4,6 +4,7 @@
 """A run that is stopped (kill -9, end of the queue's time) and continued from the last file of `restart N` is the run that was
 not stopped, to the last bit, on the same number of ranks. Compared as text with all digits: there is no tolerance."""
 
+import itertools
 import random
 import struct
 
@@ -108,8 +109,10 @@ def rows(run):
     return {name: list(values) for name, values in run.thermo.items()}
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("scene", SCENES)
+ON_FOUR = ["springs of friction", "walls that move", "a step that adapts"]
+
+
+@pytest.mark.parametrize("scene, ranks", [*itertools.product(SCENES, [1, 2]), *((scene, 4) for scene in ON_FOUR)])
 def test_to_the_last_bit(run_lammps, tmp_path, scene, ranks):
     setup, settings = SCENES[scene]
     whole = run_lammps(setup + settings + f"restart {EVERY} run.*\nrun {AFTER}\n" + dump("whole"), nprocs=ranks)

@@ -57,7 +57,7 @@ struct PotdemMutants {
     std::FILE *const file = name ? std::fopen(name, "a") : nullptr;
     if (!file) return;
     for (int n = 1; n <= COUNT; n++)
-      if (reached[n]) std::fprintf(file, "%d\n", n);
+      if (reached[n]) std::fprintf(file, "%d ", n);
     std::fclose(file);
   }
 };
