@@ -266,14 +266,18 @@ FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::make_friction_kernel()
     auto alone = rough;
     if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
       if (rough.automatic != 0.0) alone.mu = 0.0;
-    if (rotation)
-      return [this, rough, alone](int i, ThreadShare &share) {
-        add_friction<true>(i, rough, alone, share);
-      };
-    return [this, rough, alone](int i, ThreadShare &share) {
-      add_friction<false>(i, rough, alone, share);
-    };
+    return rotation ? kernel_with<true>(rough, alone) : kernel_with<false>(rough, alone);
   });
+}
+
+// not a function within the one above: Clang 14 forgets to compile what such a one calls
+template <bool SPIN, class Tangential>
+FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::kernel_with(const Tangential &rough,
+                                                                     const Tangential &alone)
+{
+  return [this, rough, alone](int i, ThreadShare &share) {
+    add_friction<SPIN>(i, rough, alone, share);
+  };
 }
 
 // the smallest kernel that the keywords need
