@@ -258,28 +258,6 @@ void FixPotdemWallRegion::gather(const ThreadShare &share)
 
 /* ---------------------------------------------------------------------- */
 
-// 'auto' waits for the forces of all faces
-FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::make_friction_kernel()
-{
-  return potdem_visit(friction, [this](const auto &rough) -> FrictionKernel {
-    using Tangential = std::decay_t<decltype(rough)>;
-    auto alone = rough;
-    if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
-      if (rough.automatic != 0.0) alone.mu = 0.0;
-    return rotation ? kernel_with<true>(rough, alone) : kernel_with<false>(rough, alone);
-  });
-}
-
-// not a function within the one above: Clang 14 forgets to compile what such a one calls
-template <bool SPIN, class Tangential>
-FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::kernel_with(const Tangential &rough,
-                                                                     const Tangential &alone)
-{
-  return [this, rough, alone](int i, ThreadShare &share) {
-    add_friction<SPIN>(i, rough, alone, share);
-  };
-}
-
 // the smallest kernel that the keywords need
 template <class Law, class Rate>
 void FixPotdemWallRegion::choose(const PotdemWallLaw<Law> &wall, const Rate &dashpot)
@@ -722,6 +700,24 @@ void FixPotdemWallRegion::hold_at_rest(int i, const POTDEM::Sliding &rough,
     }
     if (touches.size() == 1 || change <= ROUNDING * largest) return;
   }
+}
+
+// 'auto' waits for the forces of all faces. Clang 14 compiles what the inner functions call only if it knows that already
+FixPotdemWallRegion::FrictionKernel FixPotdemWallRegion::make_friction_kernel()
+{
+  return potdem_visit(friction, [this](const auto &rough) -> FrictionKernel {
+    using Tangential = std::decay_t<decltype(rough)>;
+    auto alone = rough;
+    if constexpr (std::is_base_of_v<POTDEM::Sliding, Tangential>)
+      if (rough.automatic != 0.0) alone.mu = 0.0;
+    if (rotation)
+      return [this, rough, alone](int i, ThreadShare &share) {
+        add_friction<true>(i, rough, alone, share);
+      };
+    return [this, rough, alone](int i, ThreadShare &share) {
+      add_friction<false>(i, rough, alone, share);
+    };
+  });
 }
 
 /* ---------------------------------------------------------------------- */

@@ -170,8 +170,6 @@ class FixPotdemWallRegion : public Fix, public StiffnessSource, public EnergySou
   bool normal_force(int i, const PotdemWallSurface::Face &, const Wall &, const Rate &, Touch &,
                     ThreadShare &);
   template <bool SPIN, class Tangential>
-  FrictionKernel kernel_with(const Tangential &, const Tangential &alone);
-  template <bool SPIN, class Tangential>
   void add_friction(int i, const Tangential &, const Tangential &alone, ThreadShare &);
   template <bool SPIN, class Tangential>
   void rub_face(int i, const Tangential &, double *state, Touch &, ThreadShare &);
