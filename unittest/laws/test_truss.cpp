@@ -186,7 +186,7 @@ TEST(Penetration, EnergyIsTheIntegralOfTheForce)
     for (const bool normalized : {false, true}) {
       const Penetration factor(m, normalized);
       const double scale = normalized ? 1.0 / c_of(1.0, m) : 1.0;
-      for (const double x : {1e-3, 0.02, 0.3, 0.71, 0.9, 1.1, 1.37, 2.2, 3.99, 4.01, 6.0}) {
+      for (const double x : {5e-4, 1e-3, 0.02, 0.3, 0.71, 0.9, 1.1, 1.37, 2.2, 3.99, 4.01, 6.0}) {
         const double expected = scale * static_cast<double>(energy_integral(x, m));
         EXPECT_NEAR(factor.integral(x), expected, 1e-10 * std::fabs(expected))
             << "m " << m << " x " << x;

@@ -82,6 +82,10 @@ void start()
   lmp = lammps_open_no_mpi(6, const_cast<char **>(arguments), nullptr);
   kind = std::getenv("POTDEM_FUZZ");
   begin(true);
+  if (run("pair_style potdem/truss")) return;
+  fprintf(stderr, "ERROR: this LAMMPS has none of the styles: %s is not loaded\n",
+          std::getenv("POTDEM_FUZZ_PLUGIN"));
+  std::abort();
 }
 
 // bytes that decide
