@@ -20,12 +20,18 @@ MARKERS = {
     "built_in": "about the build itself; not repeated through the plugin",
 }
 
+# Open MPI's start, which takes longer than most runs, 0.4 s: without a look for fast networks, and of a single rank without helpers, 0.05 s.
+# Several tests run at a time, on more ranks than there are cores: one that waits for another lets it have the core. After an error it does
+# not wait a second before it ends the other ranks
+OPEN_MPI = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
+            "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+
 
 def pytest_configure(config):
     for name, text in MARKERS.items():
         config.addinivalue_line("markers", f"{name}: {text}")
-    # several tests at a time, on more ranks than there are cores: one that waits for another lets it have the core
-    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
+    for name, value in OPEN_MPI.items():
+        os.environ.setdefault(name, value)
     config.named_by_every_style = []    # scripts and what LAMMPS said to them
     if THROUGH_PLUGIN:
         os.environ["LAMMPS_PLUGIN_PATH"] = str(BUILD)

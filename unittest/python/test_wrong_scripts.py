@@ -16,9 +16,8 @@ from potdem.paths import ROOT
 CATALOGUE = yaml.safe_load((ROOT / "unittest" / "wrong-scripts.yaml").read_text(encoding="utf-8"))
 BEGIN = "---- after the prelude ----"
 LIMIT = 100    # seconds; the longest takes one or two on a quiet machine
-# Open MPI does not wait a second before it ends the other ranks, and starts a single one without helpers and their folders
-QUICK = {"OMPI_MCA_odls_base_sigkill_timeout": "0", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader"}
-QUICK_ALONE = {**QUICK, "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
+# a single rank starts without a folder for helpers
+ALONE = {"OMPI_MCA_orte_create_session_dirs": "0"}
 
 
 def cases(kind):
@@ -48,7 +47,7 @@ def run(case, folder, lmp):
     for file, content in CATALOGUE["files"].items():
         if file in text:
             (folder / file).write_text(content, encoding="utf-8")
-    return running.run(text, {}, folder, ranks, limit=LIMIT, lmp=lmp, more=QUICK if ranks > 1 else QUICK_ALONE)
+    return running.run(text, {}, folder, ranks, limit=LIMIT, lmp=lmp, more={} if ranks > 1 else ALONE)
 
 
 @pytest.fixture(scope="module")

@@ -79,10 +79,15 @@ class Fault:
     line: int
     old: str
     new: str
+    code: str      # the line in which it begins
 
     @property
     def name(self):
-        return f"{self.file}: {shortened(self.old)} → {shortened(self.new)}"
+        return f"{self.file}: {shortened(self.old)} → {shortened(self.new)} in: {self.code}"
+
+
+def line_at(text, place):
+    return text[text.rfind(b"\n", 0, place) + 1:].split(b"\n", 1)[0].decode().strip()
 
 
 def shortened(text):
@@ -137,7 +142,8 @@ def faults_in(unit, arguments, targets):
             children = children[1:]
         if inside and words:
             for new in changes(cursor, words, [span(child) for child in children], text_of(path), kinds):
-                found[path, first, last, new] = Fault(path, first, last, cursor.extent.start.line, words, new)
+                found[path, first, last, new] = Fault(path, first, last, cursor.extent.start.line, words, new,
+                                                      line_at(text_of(path), first))
         for child in children:
             look(child, path, inside)
 
