@@ -62,6 +62,34 @@ TEST(Rolling, TurnsAgainstTwistingByItsSpringUpToTheLimit)
   EXPECT_NEAR(M[2], R * limit, 1e-13 * limit);
 }
 
+// a spring that gets softer keeps its angle, and what it has beyond that is lost: no energy comes from nowhere
+TEST(Rolling, SofterSpringsBearLess)
+{
+  const RollingResistance law{mu, ratio, 0.0, mu, ratio, 0.0};
+  double state[RollingResistance::STATE] = {}, M[3];
+  torque(law, state, 0.5 * limit / k, 0.5 * limit / (k * R), 10, M);
+  const double along = M[1], twist = M[2], energy = law.energy(state);
+  Slide softer = rolling(0.0);
+  softer.stiffness = 0.25 * kn;
+  law.torque(softer, R, 0.0, state, M);
+  EXPECT_NEAR(M[1], 0.25 * along, 1e-13 * R * limit);
+  EXPECT_NEAR(M[2], 0.25 * twist, 1e-13 * R * limit);
+  EXPECT_NEAR(law.energy(state), 0.25 * energy, 1e-13 * energy);
+}
+
+TEST(Rolling, MixedIsThatOfSpringsInSeries)
+{
+  const RollingResistance soft{0.1, 0.2, 0.3, 0.0, 0.0, 0.0}, hard{0.4, 0.6, 0.5, 0.0, 0.0, 0.0};
+  const auto found = RollingResistance::mixed(soft, hard);
+  EXPECT_EQ(found.mu, 0.1);
+  EXPECT_DOUBLE_EQ(found.ratio, 2.0 / (1.0 / 0.2 + 1.0 / 0.6));
+  EXPECT_DOUBLE_EQ(found.xi, 0.4);
+  // what neither has they do not have together
+  EXPECT_EQ(found.twist_mu, 0.0);
+  EXPECT_EQ(found.twist_ratio, 0.0);
+  EXPECT_EQ(found.twist_xi, 0.0);
+}
+
 // the spring stays with the two when they turn about the normal as one
 TEST(Rolling, AndFrictionTurnWithTheTwoAboutTheNormal)
 {

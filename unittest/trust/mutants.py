@@ -68,7 +68,12 @@ OTHER = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">"
          "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 
 # faults that change nothing, with the reason; by file and text, because numbers change with the sources
-EQUIVALENT = {}
+EQUIVALENT = {
+    "core/contact/contact.h: 0.0 → 1.0 in: {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};": "the torque of rolling is read only where a law of rolling sets it",
+    "core/contact/contact.h: 0.0 → 1.0 in: shear_ratio_of(kernel, 0), 0.0, false},": "the radius is for forces that depend on the speed, not for springs",
+    "core/laws/restitution.h: 1.0 → 2.0 * 1.0 in: double low = 0.0, high = 1.0 + 1.0 / std::sqrt(e);": "where the halving begins",
+    "core/laws/strength_scatter.h: 1.0 + parameter * z → (1.0) - (parameter * z) in: return 1.0 + parameter * z;": "z is as often negative as positive",
+}
 
 
 @dataclass
