@@ -135,8 +135,10 @@ TEST(TangentialSpring, StaysWhereNoStepIsMade)
   std::copy(state, state + 4, copy);
   Slide still = slide(100.0, 0.1 * normal, 0.5 * kn);
   still.advance = false;
+  still.turn = 0.3;
   law.force(still, state, f);
   EXPECT_NEAR(f[0], -0.1 * limit, 1e-13 * limit);
+  EXPECT_EQ(f[1], 0.0);
   for (int c = 0; c < 4; c++) EXPECT_EQ(state[c], copy[c]);
 }
 
