@@ -3,6 +3,7 @@
 
 """What a run says when it goes wrong: one warning for each reason, and none where nothing is wrong."""
 
+import itertools
 import re
 
 import pytest
@@ -126,6 +127,14 @@ def test_too_deep(run_lammps, law, coeff):
     assert "deep" not in kinds(run_lammps(collision(law, coeff, 0.1, 0.002, 400)))
 
 
+@pytest.mark.parametrize("diameter", [0.01, 100.0])
+def test_too_deep_at_any_size(run_lammps, diameter):
+    """a quarter of the diameter apart, which is no length of 1"""
+    script = scripts.box(20 * diameter, skin=0.1 * diameter) + scripts.particles([(0, 0, 0, diameter), (0.25 * diameter, 0, 0, diameter)])
+    script += "pair_style potdem/hertz\npair_coeff * * 1e-3 0.2\nfix move all nve\ntimestep 1e-9\nrun 1\n"
+    assert kinds(run_lammps(script)) == ["deep"]
+
+
 def test_too_fast(run_lammps):
     """particles pass each other between two steps"""
     run = run_lammps(collision("truss", "1000 0.5", 1.0, 3.2, 1, gap=0.6))
@@ -168,6 +177,19 @@ def test_crushed_bonds(run_lammps, options, expected):
     script = replaced(chain("run 0\nset atom 2 x 0.1\n", 0.01, count=2), "area factor 0.5", f"area factor 0.5 {options}")
     assert kinds(run_lammps(script)) == expected
     assert kinds(run_lammps(replaced(replaced(script, "x 0.1", "x 0.5"), "timestep 0.01", "timestep 0.001"))) == []
+
+
+# 3 x 3 x 3 particles, number 14 in the middle and 13 below it
+CUBE = scripts.box(20, room=30) + scripts.particles([(*place, 1.0) for place in itertools.product((-1, 0, 1), repeat=3)]) + scripts.elastic(
+    1000.0, "factor 0.5", contact=0.5) + "potdem_bonds all 1 1.42\nfix move all nve\ntimestep 1e-6\n"
+
+
+@pytest.mark.parametrize("width", ["plain", "avx2"])
+def test_a_crushed_bond_among_many(run_lammps, monkeypatch, width):
+    """also where bonds are taken four at a time: one is a tenth as long as it was, the others of its ends are not so short"""
+    monkeypatch.setenv("POTDEM_WIDTH", width)
+    assert kinds(run_lammps(CUBE + "run 0\nset atom 14 z -0.9\nrun 3\n")) == ["crushed"]
+    run_lammps(CUBE + "run 0\nset atom 14 z -1\nrun 3\n", expect_error="has length 0")
 
 
 # --- ranks, threads, switching off ------------------------------------------------------------------------------------
