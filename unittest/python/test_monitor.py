@@ -192,6 +192,16 @@ def test_a_crushed_bond_among_many(run_lammps, monkeypatch, width):
     run_lammps(CUBE + "run 0\nset atom 14 z -1\nrun 3\n", expect_error="has length 0")
 
 
+@pytest.mark.parametrize("width", ["plain", "avx2"])
+def test_four_crushed_bonds_at_once(run_lammps, monkeypatch, width):
+    """the only ones that there are, of one particle"""
+    monkeypatch.setenv("POTDEM_WIDTH", width)
+    star = scripts.box(20, room=30) + scripts.particles([(0, 0, 0, 1.0), (1, 0, 0, 1.0), (-1, 0, 0, 1.0), (0, 1, 0, 1.0), (0, -1, 0, 1.0)])
+    star += scripts.elastic(1000.0, "factor 0.5", contact=0.5) + "potdem_bonds all 1 1.1\nfix move all nve\ntimestep 1e-6\nrun 0\n"
+    star += "".join(f"displace_atoms all ramp {axis} 0.9 -0.9 {axis} -1 1 units box\n" for axis in "xy")
+    assert "crushed" in kinds(run_lammps(star + "run 1\n"))
+
+
 # --- ranks, threads, switching off ------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("place", [-8.0, 8.0])

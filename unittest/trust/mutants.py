@@ -73,6 +73,8 @@ EQUIVALENT = {
     "core/contact/contact.h: 0.0 → 1.0 in: {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};": "the torque of rolling is read only where a law of rolling sets it",
     "core/contact/contact.h: 0.0 → 1.0 in: shear_ratio_of(kernel, 0), 0.0, false},": "the radius is for forces that depend on the speed, not for springs",
     "core/laws/restitution.h: 1.0 → 2.0 * 1.0 in: double low = 0.0, high = 1.0 + 1.0 / std::sqrt(e);": "where the halving begins",
+    "core/laws/tangential_spring.h: 0.0 → 1.0 in: const double scale = below > 0.0 ? std::sqrt(above / below) : 0.0;":
+        "what is scaled there is zero",
     "core/laws/viscous.h: 1.0 → 2.0 * 1.0 in: return {0.5 * (a.H + b.H), a.attract != 0.0 || b.attract != 0.0 ? 1.0 : 0.0};":
         "any number but 0 says yes",
     "lammps/bond/bond_potdem_loop.h: 2.0 * half_modulus → (2.0) / (half_modulus) in: return kernel.evaluate(r, re, 2.0 * half_modulus, state).energy;":
