@@ -16,7 +16,7 @@ from potdem.paths import ROOT
 from potdem.reports.writing import table
 
 TITLE = "Memory and undefined behaviour"
-FLAGS = "-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=undefined"
+FLAGS = "-O1 -g -DPOTDEM_PLAIN_CODE -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=undefined"
 # Open MPI keeps some memory until the end; nothing of ours is on the list
 LEAKS_OF_OTHERS = ["libopen-pal", "libopen-rte", "libmpi", "libpmix", "libhwloc", "libevent", "libudev", "mca_"]
 # tests that load liblammps into Python, or build or install: not with the sanitizers' library in the way
