@@ -45,7 +45,8 @@ def objects(build):
     made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line and "potdem.dir" in line}
     known = output_of("ninja", "-t", "deps", *made, cwd=build)
     needed = dict(re.findall(r"^(\S+\.o): .*\n((?: +\S+\n)*)", known, re.MULTILINE))
-    return {name: (line, needed[name].split()) for name, line in made.items()}, commands[-1]
+    # a path may be relative to the build
+    return {name: (line, {str((build / file).resolve()) for file in needed[name].split()}) for name, line in made.items()}, commands[-1]
 
 
 def build_plugin(root, build, patch, folder, *options):
@@ -54,9 +55,9 @@ def build_plugin(root, build, patch, folder, *options):
         pytest.skip("needs a build by Ninja")
     touched = apply(root, patch, folder)
     check_touched(root, touched)
-    changed = {str(root / name) for name in touched}
+    changed = {str((root / name).resolve()) for name in touched}
     made, link = objects(build)
-    anew = {name: line for name, (line, needed) in made.items() if changed & set(needed)}
+    anew = {name: line for name, (line, needed) in made.items() if changed & needed}
     assert anew
 
     def compile_copy(item):
