@@ -63,8 +63,8 @@ def build_plugin(root, build, patch, folder, *options):
     def compile_copy(item):
         name, line = item
         local = folder / Path(name).name
-        line = replaced(replaced(line, f"{root}/src", f"{folder}/src"), f" -o {name} ", f" -o {local} ")
-        output_of("sh", "-c", " ".join([re.sub(r" -MD -MT \S+ -MF \S+", "", line), *options]), cwd=build)
+        line = re.sub(r" -MD -MT \S+ -MF \S+", "", replaced(line, f" -o {name} ", f" -o {local} "))
+        output_of("sh", "-c", " ".join([replaced(line, f"{root}/src", f"{folder}/src"), *options]), cwd=build)
         return name, local
 
     with ThreadPoolExecutor(2) as workers:
