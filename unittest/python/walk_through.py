@@ -40,9 +40,9 @@ def check_touched(root, touched):
 
 
 def objects(build):
-    """{object of the plugin's styles: (its command, what it was made from)}"""
+    """{object of the plugin's styles, most of them LAMMPS's as well: (its command, what it was made from)}"""
     commands = output_of("ninja", "-t", "commands", STYLES, cwd=build).splitlines()
-    made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line and "potdem.dir" in line}
+    made = {re.search(r" -o (\S+\.o) ", line).group(1): line for line in commands if " -c " in line}
     known = output_of("ninja", "-t", "deps", *made, cwd=build)
     needed = dict(re.findall(r"^(\S+\.o): .*\n((?: +\S+\n)*)", known, re.MULTILINE))
     # a path may be relative to the build
