@@ -102,7 +102,7 @@ def measure(build, work):
             raise RuntimeError(f"{name}: {done.error or done.stdout[-500:]}")
         thermo = done.thermo
         made, alive, failed = thermo["Bonds"][0], thermo["Bonds"][-1], thermo["f_fails"][-1]
-        resident = [float(value) for value in re.findall(r"Maximum working set \(resident\) memory: (\S+) Mbyte", done.log or done.stdout)]
+        resident = [float(value) for value in re.findall(r"^Maximum resident set size: (\S+) Mbyte", done.stdout, re.MULTILINE)]
         growth = f"{resident[-1] - resident[1]:+.1f} MB after the first tenth" if len(resident) > 2 else f"{done.peak / 2**30:.1f} GiB at most"
         lost = made - alive - failed + thermo["Atoms"][0] - thermo["Atoms"][-1]
         drift = abs(thermo["c_books"][-1] - thermo["c_books"][0]) / thermo["KinEng"][0]
