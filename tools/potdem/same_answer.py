@@ -122,11 +122,15 @@ class Answer:
     last: dict
 
 
+def script(more=""):
+    """of the scene; more: lines before its runs"""
+    return SCRIPT.replace("${more}", more)
+
+
 def compute(way, folder, lmp):
     """the scene in a folder"""
-    script = SCRIPT.replace("${more}", way.variables.get("more", ""))
     variables = {name: value for name, value in way.variables.items() if name != "more"}
-    done = running.run(script, variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp,
+    done = running.run(script(way.variables.get("more", "")), variables, folder, way.nprocs, name="same", log="log.same", limit=300, lmp=way.lmp or lmp,
                        threads=way.threads, more=way.environment)
     if not done.ended_well:
         raise RuntimeError(f"{way.name}: {done.error or done.stdout[-1000:]}")

@@ -26,10 +26,8 @@ def built(build, folder):
     """(program, plugin)"""
     project.build(folder, "-DCMAKE_CXX_COMPILER=clang++", f"-DPOTDEM_EXTRA_OPTIONS={';'.join([*SANITIZED, '-fsanitize=fuzzer-no-link'])}",
                   targets=["potdemplugin"])
-    program, plain = folder / "fuzz", build / "unittest" / "plain"
-    subprocess.run(["clang++", "-std=c++17", *SANITIZED, "-fsanitize=fuzzer", "-rdynamic", *project.lammps_includes(folder),
-                    ROOT / "unittest" / "trust" / "fuzz.cpp", "-o", program, "-L", plain, "-llammps", f"-Wl,-rpath,{plain}",
-                    *project.mpi("link")], check=True)
+    program = folder / "fuzz"
+    project.compile_against_lammps(ROOT / "unittest" / "trust" / "fuzz.cpp", program, build, folder, *SANITIZED, "-fsanitize=fuzzer", "-rdynamic")
     return program, folder / "potdemplugin.so"
 
 

@@ -246,12 +246,15 @@ class Mutated:
     work: Path
     tests: dict = field(default_factory=dict)
 
-    def pytest(self, name, *options, **more):
-        """arguments for subprocess.run"""
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--basetemp={self.work / name}",
-                   "-o", "console_output_style=classic", *options]
+    def settings(self, **more):
+        """arguments for subprocess.run; more: variables of the environment"""
         environment = project.environment(self.build, PYTHONPATH=f"{self.source / 'tools'}{os.pathsep}{Path(__file__).parent}", **more)
-        return {"args": command, "env": environment, "cwd": self.source, "capture_output": True, "text": True, "check": False}
+        return {"env": environment, "cwd": self.source, "capture_output": True, "text": True, "check": False}
+
+    def pytest(self, name, *options):
+        """its command line; name: of the folder for what the tests write"""
+        return [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--basetemp={self.work / name}",
+                "-o", "console_output_style=classic", *options]
 
     def learn(self):
         """runs all tests without a fault"""
@@ -259,8 +262,8 @@ class Mutated:
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         files = [f"unittest/python/test_{name}.py" for name in TESTS]
-        done = subprocess.run(**self.pytest("mutants-tests", "-p", "reaching", "-n", "auto", "--dist", "loadfile", *files,
-                                            POTDEM_REACHING=str(folder)))
+        done = subprocess.run(self.pytest("mutants-tests", "-p", "reaching", "-n", "auto", "--dist", "loadfile", *files),
+                              **self.settings(POTDEM_REACHING=str(folder)))
         if done.returncode != 0:
             raise RuntimeError(f"without any fault {first_failure(done.stdout + done.stderr)} fails")
         for part in folder.glob("tests.*"):
@@ -287,13 +290,12 @@ class Mutated:
     def notices(self, number):
         """(what fails with this fault, or None; seconds)"""
         begun = time.monotonic()
-        laws = {**self.pytest("", POTDEM_MUTANT=str(number)),
-                "args": [self.build / "unittest" / "test_laws", "--gtest_brief=1", "--gtest_fail_fast"]}
+        settings = self.settings(POTDEM_MUTANT=str(number))
         tests, folder = self.quickest(number), f"mutants-tests-{number}"
         try:
-            done = subprocess.run(**laws, timeout=PLENTY)
+            done = subprocess.run([self.build / "unittest" / "test_laws", "--gtest_brief=1", "--gtest_fail_fast"], **settings, timeout=PLENTY)
             if done.returncode == 0 and tests:
-                done = subprocess.run(**self.pytest(folder, "-x", "-p", "no:xdist", *tests, POTDEM_MUTANT=str(number)), timeout=3.0 * PLENTY)
+                done = subprocess.run(self.pytest(folder, "-x", "-p", "no:xdist", *tests), **settings, timeout=3.0 * PLENTY)
             found = None if done.returncode == 0 else first_failure(done.stdout + done.stderr)
         except subprocess.TimeoutExpired:
             found = "a test that takes too long"

@@ -30,9 +30,11 @@ def mpi(stage):
     return subprocess.run(["mpicxx", f"--showme:{stage}"], capture_output=True, text=True, check=True).stdout.split()
 
 
-def lammps_includes(folder):
-    """options for a program that uses liblammps"""
-    return ["-I", lammps_source(folder), "-DLAMMPS_LIB_MPI", *mpi("compile")]
+def compile_against_lammps(source, program, build, folder, *options):
+    """by Clang, with the liblammps without our styles of a build, for the plugin in a folder; options come before that library"""
+    plain = build / "unittest" / "plain"
+    subprocess.run(["clang++", "-std=c++17", *options, "-I", lammps_source(folder), "-DLAMMPS_LIB_MPI", *mpi("compile"), source, "-o", program,
+                    "-L", plain, "-llammps", f"-Wl,-rpath,{plain}", *mpi("link")], check=True)
 
 
 def environment(folder, **more):

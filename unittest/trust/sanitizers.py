@@ -52,7 +52,7 @@ def under_valgrind(build, work):
     folder = work / "valgrind"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    script = same_answer.SCRIPT.replace("${more}", "").replace(f"run {same_answer.BROKEN - same_answer.WHOLE}", "run 200")
+    script = same_answer.script().replace(f"run {same_answer.BROKEN - same_answer.WHOLE}", "run 200")
     (folder / "in.same").write_text(script, encoding="utf-8")
     command = ["valgrind", "--log-file=valgrind.%p", "--suppressions=/usr/share/openmpi/openmpi-valgrind.supp",
                str(build / "lmp"), "-in", "in.same", "-log", "none"]

@@ -41,12 +41,12 @@ run 300
 
 
 def program(build, folder):
-    """(LAMMPS, the folder of the plugin)"""
+    """LAMMPS, with the plugin in its folder"""
     project.build(folder, "-DCMAKE_CXX_COMPILER=clang++", f"-DPOTDEM_EXTRA_OPTIONS={';'.join(SANITIZED)}", targets=["potdemplugin"])
-    lmp, plain = folder / "lmp_threads", build / "unittest" / "plain"
+    lmp = folder / "lmp_threads"
     # its libomp comes before the libgomp of liblammps, and serves both
-    subprocess.run(["clang++", "-std=c++17", *SANITIZED, "-fopenmp", *project.lammps_includes(folder), project.lammps_source(folder) / "main.cpp",
-                    "-o", lmp, "-Wl,--no-as-needed", "-lomp", "-L", plain, "-llammps", f"-Wl,-rpath,{plain}", *project.mpi("link")], check=True)
+    project.compile_against_lammps(project.lammps_source(folder) / "main.cpp", lmp, build, folder, *SANITIZED, "-fopenmp",
+                                   "-Wl,--no-as-needed", "-lomp")
     return lmp
 
 
@@ -57,7 +57,7 @@ def races(build, work):
     archer = subprocess.run(["clang++", "-print-file-name=libarcher.so"], capture_output=True, text=True, check=True).stdout.strip()
     settings = {"LAMMPS_PLUGIN_PATH": str(folder), "OMP_TOOL_LIBRARIES": archer, "TSAN_OPTIONS": "ignore_noninstrumented_modules=1 exitcode=0"}
     found = []
-    for name, script in (("breaking", same_answer.SCRIPT.replace("${more}", "")), ("heap", HEAP)):
+    for name, script in (("breaking", same_answer.script()), ("heap", HEAP)):
         done = running.run(script, {}, work / f"threads-{name}", name=name, lmp=lmp, threads=2, more=settings)
         if not done.ended_well:
             raise RuntimeError(f"threads, {name}: {done.error or done.stdout[-500:]}")
