@@ -15,7 +15,7 @@ from potdem.text import replaced
 pytestmark = pytest.mark.built_in
 
 
-# a fifth of the time to compile: one law is compiled for all registers, which says enough of the others
+# half the time to compile, about 100 s instead of 200: one law is compiled for all registers, which says enough of the others
 PLAIN_AND_QUICK = ("-O1", "-DPOTDEM_PLAIN_CODE")
 
 

@@ -321,9 +321,8 @@ static Input read(const char *name)
 // one with a few bytes changed, or a new one
 static Input made(const std::vector<Input> &kept, std::mt19937 &chance)
 {
-  Input input = kept.empty() || chance() % 2 ? Input(chance() % 40 + 1)
-                                             : kept[chance() % kept.size()];
-  const bool is_new = kept.empty() || input == Input(input.size());
+  const bool is_new = kept.empty() || chance() % 2;
+  Input input = is_new ? Input(chance() % 40 + 1) : kept[chance() % kept.size()];
   for (auto &byte : input)
     if (is_new || chance() % 16 == 0) byte = chance();
   return input;

@@ -6,7 +6,9 @@ and of the periodic box while they break. Nothing is lost, and memory stays."""
 
 import re
 
-from potdem import running, scripts
+import project
+
+from potdem import scripts
 from potdem.reports.writing import table
 
 TITLE = "Large and long"
@@ -97,9 +99,7 @@ def measure(build, work):
     rows, wrong = [], 0
     for name, script in (("4 019 679 particles, 200 steps, 2 ranks", LARGE), ("250 particles, 10^6 steps, 2 ranks", LONG)):
         print(f"  {name}", flush=True)
-        done = running.run(script, {}, work / "load", nprocs=2, name="load", log="log.load", lmp=build / "lmp")
-        if not done.ended_well:
-            raise RuntimeError(f"{name}: {done.error or done.stdout[-500:]}")
+        done = project.run(script, work / "load", "load", nprocs=2, log="log.load", lmp=build / "lmp")
         thermo = done.thermo
         made, alive, failed = thermo["Bonds"][0], thermo["Bonds"][-1], thermo["f_fails"][-1]
         resident = [float(value) for value in re.findall(r"^Maximum resident set size: (\S+) Mbyte", done.stdout, re.MULTILINE)]

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from potdem import running
 from potdem.paths import ROOT
 
 
@@ -40,6 +41,19 @@ def compile_against_lammps(source, program, build, folder, *options):
 def environment(folder, **more):
     """of tests with the build in this folder"""
     return {**os.environ, "POTDEM_BUILD": str(folder), "PYTHONPATH": str(ROOT / "tools"), **more}
+
+
+def run(script, folder, name, **settings):
+    """a Run (potdem.running) that ended well"""
+    done = running.run(script, {}, folder, name=name, **settings)
+    if not done.ended_well:
+        raise RuntimeError(f"{name}: {done.error or done.stdout[-500:]}")
+    return done
+
+
+def test_files(left_out):
+    """of the Python tests, without some names"""
+    return [path for path in sorted((ROOT / "unittest" / "python").glob("test_*.py")) if path.stem not in left_out]
 
 
 def run_tests(files, folder, temporary, **more):

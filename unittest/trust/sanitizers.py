@@ -41,8 +41,7 @@ def tests(folder, work):
     """(passed, failed, names of the failed)"""
     project.build(folder, "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DCMAKE_C_FLAGS={FLAGS}", targets=["lmp", "test_laws"])
     subprocess.run([folder / "unittest" / "test_laws", "--gtest_brief=1"], check=True, env=project.environment(folder, **settings(work)))
-    files = [path for path in sorted((ROOT / "unittest" / "python").glob("test_*.py")) if path.stem not in LEFT_OUT]
-    passed, failed, said = project.run_tests(files, folder, work / "sanitized-tests", **settings(work))
+    passed, failed, said = project.run_tests(project.test_files(LEFT_OUT), folder, work / "sanitized-tests", **settings(work))
     (work / "sanitized.said").write_text(said, encoding="utf-8")
     return passed, failed, re.findall(r"^FAILED \S*?(test_\S+)", said, re.MULTILINE)
 

@@ -9,7 +9,7 @@ import subprocess
 
 import project
 
-from potdem import running, same_answer
+from potdem import same_answer
 
 SANITIZED = ["-O1", "-g", "-DPOTDEM_PLAIN_CODE", "-fsanitize=thread"]
 # grains that fall on a floor and on each other, with all that the styles for threads can do
@@ -30,8 +30,8 @@ pair_coeff 1 1 2000 0.3 restitution 0.5 friction 0.4 mindlin rolling 0.1 0.5 0.1
 pair_coeff 2 2 3000 0.2 restitution 0.6 friction 0.3 mindlin rolling 0.1 0.5 0.1
 velocity all create 2.0 4711 loop geom
 fix walls all potdem/wall/region box law hertz 2000 0.3 restitution 0.5 friction 0.4 mindlin rotation yes
-fix slower all potdem/damping 0.1
 fix falls all gravity 9.81 vector 0 0 -1
+fix slower all potdem/damping 0.1
 fix moves all nve/sphere
 timestep 1e-3
 thermo 50
@@ -58,8 +58,6 @@ def races(build, work):
     settings = {"LAMMPS_PLUGIN_PATH": str(folder), "OMP_TOOL_LIBRARIES": archer, "TSAN_OPTIONS": "ignore_noninstrumented_modules=1 exitcode=0"}
     found = []
     for name, script in (("breaking", same_answer.script()), ("heap", HEAP)):
-        done = running.run(script, {}, work / f"threads-{name}", name=name, lmp=lmp, threads=2, more=settings)
-        if not done.ended_well:
-            raise RuntimeError(f"threads, {name}: {done.error or done.stdout[-500:]}")
+        done = project.run(script, work / f"threads-{name}", name, lmp=lmp, threads=2, more=settings)
         found += re.findall(r"^WARNING: ThreadSanitizer: .*?^=+$", done.stdout, re.MULTILINE | re.DOTALL)
     return [report for report in found if "/src/lammps/" in report or "/src/core/" in report]
