@@ -35,7 +35,7 @@ LEAST = 95.0    # %, of the faults that change something
 # the choice of a width is not among them: the build with faults has one only
 TARGETS = ["core/laws/[!w]*.h", "core/contact/*.h", "lammps/pair/pair_potdem_loop.h", "lammps/bond/bond_potdem_loop.h"]
 # what includes all of them
-UNITS = ["lammps/pair/pair_potdem_laws.cpp", "lammps/bond/bond_potdem_laws.cpp", "lammps/wall/fix_potdem_wall_region.cpp"]
+UNITS = ["pair_potdem_hertz.cpp", "bond_potdem_laws.cpp", "fix_potdem_wall_region.cpp"]
 # beside the laws' own tests
 TESTS = ["pair_laws", "two_particles", "conservation", "damping", "restitution", "failure", "dead_bonds", "stress", "timestep", "monitor",
          "energy_ledger", "dmt", "two_dimensions", "hybrid", "wall_laws", "friction_springs", "wall_friction", "wall_springs", "rolling",
@@ -116,25 +116,25 @@ def shortened(text):
 # --- the places ----------------------------------------------------------------------------------------------------------------
 
 
-def arguments_of(build, unit):
-    """how the build compiles it"""
+def compilation(build, unit):
+    """(path of the source, how the build compiles it)"""
     listed = subprocess.run(["ninja", "-C", build, "-t", "compdb"], capture_output=True, text=True, check=True).stdout
-    command = next(shlex.split(one["command"]) for one in json.loads(listed) if one["file"].endswith(f"/src/{unit}"))
+    file, command = next((one["file"], shlex.split(one["command"])) for one in json.loads(listed) if one["file"].endswith(f"/{unit}"))
     kept = [word for word in command if re.match(r"-(I|D|std)", word)]
     for flag, folder in zip(command, command[1:]):
         if flag == "-isystem":
             kept += [flag, folder]
-    return kept
+    return str(build / file), kept
 
 
-def faults_in(unit, arguments, targets):
+def faults_in(source, arguments, targets):
     """of all places in the bodies of functions of the files"""
     import clang.cindex as clang    # here, because only this needs it
 
-    tree = clang.Index.create().parse(str(ROOT / "src" / unit), [*arguments, "-Wno-everything"])
+    tree = clang.Index.create().parse(source, [*arguments, "-Wno-everything"])
     problems = [one.spelling for one in tree.diagnostics if one.severity >= clang.Diagnostic.Error]
     if problems:
-        raise RuntimeError(f"{unit}: {problems[0]}")
+        raise RuntimeError(f"{source}: {problems[0]}")
     texts, found = {}, {}
     kinds = clang.CursorKind
 
@@ -196,7 +196,7 @@ def drawn(build):
     targets = {str(path.relative_to(ROOT / "src")) for pattern in TARGETS for path in (ROOT / "src").glob(pattern)}
     found = {}
     for unit in UNITS:
-        found.update(faults_in(unit, arguments_of(build, unit), targets))
+        found.update(faults_in(*compilation(build, unit), targets))
     places = sorted(found.values(), key=lambda fault: (fault.file, fault.first, fault.last, fault.new))
     random.Random(SEED).shuffle(places)
     chosen = []
