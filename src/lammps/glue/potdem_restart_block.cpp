@@ -64,7 +64,7 @@ void LAMMPS_NS::potdem_write_block(FILE *fp, const std::vector<double> &values)
   const int size = static_cast<int>(sizeof(head) + values.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(head, sizeof(head), 1, fp);
-  fwrite(values.data(), sizeof(double), values.size(), fp);
+  if (!values.empty()) fwrite(values.data(), sizeof(double), values.size(), fp);
 }
 
 void LAMMPS_NS::potdem_refuse_version(LAMMPS *lmp, const std::string &owner)
