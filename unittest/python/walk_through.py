@@ -2,7 +2,7 @@
 # Distributed under the GNU General Public License, version 2
 
 """Applies a patch of unittest/walk-through to a copy of the sources and builds the plugin from it: what the patch touches, and
-what includes that, is compiled anew; all else is taken from the build under test."""
+what includes that, is compiled anew, a new normal law from the template that CMake fills; all else is taken from the build under test."""
 
 import re
 import shutil
@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from potdem.scripts import table_of_laws
 from potdem.text import replaced
 
 LIST = "src/core/laws/law_list.h"
@@ -49,6 +50,18 @@ def objects(build):
     return {name: (line, {str((build / file).resolve()) for file in needed[name].split()}) for name, line in made.items()}, commands[-1]
 
 
+def add_pair_styles(root, folder, made, anew):
+    """the sources of the normal laws that the patch adds, compiled as that of another one"""
+    rows = [set(re.findall(r"X\((\w+), (\w+)\)", table_of_laws(tree, "pair"))) for tree in (root, folder)]
+    pattern = next(name for name in made if name.endswith("pair_potdem_hertz.cpp.o"))
+    source = re.search(r" -c (\S+)$", made[pattern][0]).group(1)
+    for name, law in rows[1] - rows[0]:
+        text = (folder / "src" / "lammps" / "pair" / "pair_potdem_law.cpp.in").read_text().replace("@name@", name).replace("@law@", law)
+        (folder / f"pair_potdem_{name}.cpp").write_text(text)
+        anew[pattern.replace("hertz", name)] = replaced(replaced(made[pattern][0], f" -c {source}", f" -c {folder}/pair_potdem_{name}.cpp"),
+                                                        f" -o {pattern} ", f" -o {pattern.replace('hertz', name)} ")
+
+
 def build_plugin(root, build, patch, folder, *options):
     """the plugin with the patch, in the folder; options: of the compiler, after those of the build"""
     if not (build / "build.ninja").exists():
@@ -59,6 +72,7 @@ def build_plugin(root, build, patch, folder, *options):
     made, link = objects(build)
     anew = {name: line for name, (line, needed) in made.items() if changed & needed}
     assert anew
+    add_pair_styles(root, folder, made, anew)
 
     def compile_copy(item):
         name, line = item
@@ -69,7 +83,7 @@ def build_plugin(root, build, patch, folder, *options):
 
     with ThreadPoolExecutor(2) as workers:
         for name, local in workers.map(compile_copy, anew.items()):
-            link = replaced(link, name, str(local))
+            link = replaced(link, name, str(local)) if name in made else replaced(link, f" -o {STYLES} ", f" -o {STYLES} {local} ")
     output_of("sh", "-c", replaced(link, f"-o {STYLES}", f"-o {folder / STYLES}"), cwd=build)
     shutil.copy(build / "potdemplugin.so", folder)
     return folder / "potdemplugin.so"
