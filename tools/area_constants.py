@@ -2,7 +2,7 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""What the constants of `area body` do: axial and bending stiffness of two bars of docs/area.md, over the exact values, with
+"""What the constants of `area body` do: stiffness of two bars in tension, bending and torsion of docs/area.md, over the exact values, with
 each chosen constant halved and doubled (whole numbers rounded down, at least 1).
 
 A copy of src/core/areas is compiled in which the constants come from the environment instead of constants.h; the package's
@@ -86,12 +86,12 @@ def solve(program, body, pairs, changes):
 
 
 def stiffness(program, body, pairs, changes):
-    """axial and bending, over the exact ones"""
+    """in tension, bending and torsion, over the exact ones"""
     areas = solve(program, body, pairs, changes)
     if areas is None:
         return None
     ratio = networks.measure(body, pairs, areas, REACH)
-    return np.array([ratio["axial"], ratio["bending"]])
+    return np.array([ratio[load] for load in ("axial", "bending", "torsion")])
 
 
 def change(now, before):
@@ -111,7 +111,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         program = build(Path(folder), arguments.compiler)
         before = [stiffness(program, *case, {}) for case in cases]
-        print("as they are: " + "; ".join(f"{a:.4f}, {b:.4f}" for a, b in before) + "\n")
+        print("as they are: " + "; ".join(", ".join(f"{value:.4f}" for value in case) for case in before) + "\n")
         names = [{0.5: "half", 2.0: "double"}.get(factor, f"× {factor:g}") for factor in arguments.factors]
         print("| constant | value | what it is, where it comes from | " +
               " | ".join(f"{body}: {name}" for body in ("random", "cubic") for name in names) + " |")
@@ -119,7 +119,7 @@ def main():
         for constant in constants():
             if arguments.only and constant.name not in arguments.only:
                 continue
-            cells = ["" for _ in range(4)]
+            cells = ["–" for _ in range(4)]
             if constant.origin == "chosen":
                 changes = [{"POTDEM_" + constant.name: constant.times(factor)} for factor in arguments.factors]
                 cells = [change(stiffness(program, *case, which), start)

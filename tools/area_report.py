@@ -2,13 +2,13 @@
 # POTDEM: potential-based discrete elements for LAMMPS
 # Distributed under the GNU General Public License, version 2
 
-"""What the areas of the trusses are worth: beams of several lattices and packings, their stiffness in tension and bending,
-the tip deflection and the first frequency of the cantilever, over the exact values of the solid (docs/area.md).
+"""What the areas of the trusses are worth: beams of several lattices and packings, their stiffness in tension, bending and torsion,
+the tip deflection and the first frequency of the cantilever, over the exact values of the solid; and free spheres cut from lattices (docs/area.md).
 
 The areas of `area body` come from LAMMPS, those of the rejected formulations are found here; all networks are solved by
 potdem/networks.py.
 
-Usage: tools/area_report.py [--lmp build/lmp] [--quick]       prints the table of docs/area.md in Markdown
+Usage: tools/area_report.py [--lmp build/lmp] [--quick] [--spheres]       prints the tables of docs/area.md in Markdown
 """
 
 import argparse
@@ -21,6 +21,9 @@ import scipy.sparse.linalg
 from potdem import networks
 from potdem.paths import LMP
 from potdem.sections import areas_in_lammps
+
+
+NAMES = {"sc": "cubic"}
 
 
 class Bonds:
@@ -83,22 +86,32 @@ def bodies(quick):
         for k, depth in enumerate(depths):
             body = networks.beam(lattice, depth, 50 if k == 0 else 80)
             for reach in reaches if k == 0 and lattice in ("sc", "fcc") else (2.0,):
-                yield {"sc": "cubic"}.get(lattice, lattice), reach, body
+                yield NAMES.get(lattice, lattice), reach, body
     for depth in (6, 10):
         yield "random", 2.0, networks.packing(depth, 8 * depth, spread=0.2)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--lmp", default=LMP, type=lambda name: Path(name).resolve())
-    parser.add_argument("--quick", action="store_true", help="r_infl = 2 d only")
-    arguments = parser.parse_args()
-    print("| body | depth | $r_{\\mathrm{infl}}/d$ | area | axial | bending | tip | frequency | clamp |")
-    print("|---|---|---|---|---|---|---|---|---|")
-    for name, reach, body in bodies(arguments.quick):
+def print_spheres(lmp):
+    """lowest modes, over those of the solid sphere of the same volume"""
+    print("| sphere | across | area | twisted | flattened |")
+    print("|---|---|---|---|---|")
+    for lattice, radii in (("sc", (4, 6, 8, 11)), ("fcc", (4, 5, 8))):
+        for radius in radii:
+            body = networks.sphere(lattice, radius)
+            pairs = body.pairs(2.0)
+            for area in ("lattice", "body"):
+                modes = networks.sphere_modes(body, pairs, areas_in_lammps(lmp, body, pairs, 2.0, area))
+                print(f"| {NAMES.get(lattice, lattice)} | {2 * radius} | `{area}` | " +
+                      " | ".join(f"{found / exact:.3f}" for found, exact in zip(modes, networks.SPHERE)) + " |", flush=True)
+
+
+def print_beams(lmp, quick):
+    print("| body | depth | $r_{\\mathrm{infl}}/d$ | area | tension | bending | torsion | tip | frequency | clamp |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for name, reach, body in bodies(quick):
         pairs = body.pairs(reach)
         bonds = Bonds(body, pairs)
-        candidates = [(f"`{area.split(' density')[0]}`", areas_in_lammps(arguments.lmp, body, pairs, reach, area))
+        candidates = [(f"`{area.split(' density')[0]}`", areas_in_lammps(lmp, body, pairs, reach, area))
                       for area in ("factor 0.4", "lattice", "body density 1")]
         if reach == 2.0:
             candidates += [("energy match", energy_match(body, bonds)), ("patch", patch(body, bonds))]
@@ -107,8 +120,19 @@ def main():
                 continue
             ratio = networks.measure(body, pairs, area, reach)
             print(f"| {name} | {body.size[2]:.3g} | {reach} | {label} | " +
-                  " | ".join(f"{ratio[k]:.3f}" for k in ("axial", "bending", "tip", "frequency")) +
+                  " | ".join(f"{ratio[k]:.3f}" for k in ("axial", "bending", "torsion", "tip", "frequency")) +
                   f" | {ratio['clamp']:.2f} |", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--lmp", default=LMP, type=lambda name: Path(name).resolve())
+    parser.add_argument("--quick", action="store_true", help="r_infl = 2 d only")
+    parser.add_argument("--spheres", action="store_true", help="the second table only")
+    arguments = parser.parse_args()
+    if not arguments.spheres:
+        print_beams(arguments.lmp, arguments.quick)
+    print_spheres(arguments.lmp)
 
 
 if __name__ == "__main__":

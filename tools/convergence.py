@@ -51,7 +51,7 @@ Order: slope of $\\log|\\text{{error}}|$ over $\\log n$, least squares over all 
   the beam theory is no reference. A clamp also hinders lateral strain and warping, which makes the solid stiffer than the theory's beam: finite elements
   of [beam-impulse](../examples/beam-impulse/README.md#references) are 0.2 to 0.3 % below it, with a smaller ν. An order has no meaning there.
 * **`lattice`** converges with first order, because the layers that lack bonds are a share of $1/n$ of the section: {lattice}. With
-  20 particles through the depth it is not yet as accurate as `body` with 3.
+  20 particles through the depth it is not yet as accurate as `body` with 5.
 * **`factor 0.4`** does not converge to the solid: it tends to a solid that is 0.4/0.281 = 1.42 times too stiff. It crosses the right value between
   three and five particles through the depth, near the thesis's five.
 """

@@ -41,6 +41,14 @@ class Beam:
         return self.width * self.depth**3 / 12
 
     @property
+    def torsion_constant(self):
+        """J: torque over shear modulus and twist (Timoshenko and Goodier, Theory of Elasticity, 1951, article 94)"""
+        long, short = max(self.width, self.depth), min(self.width, self.depth)
+        k = np.arange(1, 40, 2)
+        series = (np.tanh(k * np.pi * long / (2 * short)) / k**5).sum()
+        return long * short**3 * (1 / 3 - 64 * short / (np.pi**5 * long) * series)
+
+    @property
     def shear_modulus(self):
         """kappa G"""
         kappa = self.shear_factor or 10 * (1 + self.poisson) / (12 + 11 * self.poisson)

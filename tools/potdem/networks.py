@@ -9,11 +9,11 @@ is a spring A/L along its line. Nothing here comes from the C++ code: the areas 
 import numpy as np
 from scipy.linalg import cho_solve_banded, cholesky_banded
 from scipy.sparse import coo_matrix, csc_matrix, diags, identity
-from scipy.sparse.linalg import cg
+from scipy.sparse.linalg import cg, eigsh
 from scipy.spatial import cKDTree
 
 from potdem.beams import Beam
-from potdem.lattices import CELLS, SECTION, WITHIN, edge, sites
+from potdem.lattices import CELLS, SECTION, WITHIN, edge, sites, volume
 
 
 def bonds(points, reach):
@@ -118,6 +118,35 @@ def packing(depth, length, spread=0.0, fraction=0.62, seed=1):
     return Body(x, d, d**3 / (d**3).sum() * size.prod(), size)
 
 
+def sphere(lattice, radius):
+    """the sites of a lattice within a radius about one of them, moved to positive coordinates; radius of the sphere of the same
+    volume: (3 sum v / 4 pi)^(1/3)"""
+    n = int(np.ceil(radius / CELLS[lattice][0].min()))
+    x = sites(lattice, *3 * [range(-n, n + 1)])
+    x = x[np.linalg.norm(x, axis=1) <= radius * WITHIN]
+    return Body(x + radius + 0.5, np.ones(len(x)), np.full(len(x), volume(lattice)), 3 * [2 * radius + 1])
+
+
+# lowest modes of a free sphere with nu = 1/4, twisted and flattened, circular frequency times radius over the speed of shear waves:
+# H. Lamb, On the vibrations of an elastic sphere, 1882 (in A. Love, Mathematical Theory of Elasticity, article 196)
+SPHERE = (2.5011, 2.640)
+
+
+def sphere_modes(body, pairs, area):
+    """circular frequencies of a free sphere times its radius over the speed of shear waves (nu = 1/4): means of its lowest mode that
+    twists it and of its lowest one that flattens it, of five shapes each, which a lattice tells apart"""
+    shift = -1e-3    # below zero, where the motions of the rigid body are
+    squares, shapes = eigsh(stiffness(body.x, pairs, area), 24, M=diags(np.repeat(body.v, 3)), sigma=shift)
+    order = np.argsort(squares)[6:]
+    radial = body.x - body.x.mean(axis=0)
+    radial /= np.maximum(np.linalg.norm(radial, axis=1), 1e-9)[:, None]
+    moved = shapes.T[order].reshape(len(order), -1, 3)
+    outward = ((moved * radial).sum(axis=2) ** 2).sum(axis=1) / (moved**2).sum(axis=(1, 2))
+    twists = outward < 0.05
+    scaled = np.sqrt(squares[order]) * np.cbrt(3 * body.v.sum() / (4 * np.pi)) / np.sqrt(0.4)
+    return scaled[twists][:5].mean(), scaled[~twists][:5].mean()
+
+
 def quarter_fields(x):
     """all displacement fields of a body with the mirror planes y = 0 and z = 0 that bend it along z: even in y, odd in z
     (u_z even). One column for each unknown, which is that of a particle with y, z >= 0"""
@@ -170,8 +199,18 @@ def clamp_depth(body, reach):
     return np.ceil(reach / step - 1e-6) * step
 
 
+def rotation(x, u):
+    """rate at which sections at x rotate about the axis y = z = 0, u_y = -(rate x + c) z, u_z = (rate x + c) y, beside a bending of
+    the axis"""
+    none, one = np.zeros(len(x)), np.ones(len(x))
+    along, y, z = x.T
+    columns = np.array([np.concatenate(part) for part in
+                        ((-along * z, along * y), (-z, y), (one, none), (none, one), (along, none), (none, along))])
+    return np.linalg.lstsq(columns.T, np.concatenate([u[:, 1], u[:, 2]]), rcond=None)[0][0]
+
+
 def measure(body, pairs, area, reach, axis=2):
-    """ratios to the exact values: axial and bending stiffness (from the middle of the beam under end loads), tip
+    """ratios to the exact values: stiffness in tension, bending and torsion (from the middle of the beam under end loads), tip
     deflection and first frequency of the cantilever that starts at the plane between held and free particles; and how far
     behind that plane a clamp would have to be for the tip deflection to be exact (spacings)"""
     x = body.x - [0, 0.5 * body.size[1], 0.5 * body.size[2]]
@@ -200,6 +239,10 @@ def measure(body, pairs, area, reach, axis=2):
     moment = loaded(end, 0, -lever)
     moment /= -(moment[end, 0] * x[end, axis]).sum()
     curvature = 2 * fit(network.displacement(moment)[:, axis], 2)[2]
+    torque = np.zeros_like(x)
+    torque[end, 1:] = body.v[end, None] * x[end][:, [2, 1]] * [-1, 1]
+    torque /= (x[:, 1] * torque[:, 2] - x[:, 2] * torque[:, 1]).sum()
+    twist = rotation(x[middle], network.displacement(torque)[middle])
     tip = x[:, 0] > length - 1.0
     deflection = network.displacement(loaded(tip, axis, 1 / body.v[tip].sum()))[:, axis]
     deflection = np.average(deflection[tip], weights=body.v[tip])
@@ -207,6 +250,7 @@ def measure(body, pairs, area, reach, axis=2):
     return {
         "axial": 1 / (stretch * exact.area),
         "bending": 1 / (curvature * exact.inertia),
+        "torsion": 1 / (twist * exact.torsion_constant * exact.modulus / (2 * (1 + exact.poisson))),
         "tip": deflection / exact.static(arm),
         "frequency": network.first_frequency(body.v, axis) / exact.first_frequency(),
         "clamp": exact.length_with_tip(deflection) - arm,

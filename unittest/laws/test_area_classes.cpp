@@ -142,6 +142,41 @@ TEST(Surfaces, OfABlock)
   EXPECT_EQ(surfaces.normal[middle], Vector3{});
 }
 
+// the sites of a simple cubic lattice in a ball: most of its outermost particles look like those of an edge or a corner, of which a
+// ball has none
+TEST(Surfaces, StepsOfABallAreNoEdges)
+{
+  const double radius = 6.0;
+  BodyHalo alone;
+  BondedBody body(alone);
+  std::vector<Vector3> at;
+  for (int x = -6; x <= 6; x++)
+    for (int y = -6; y <= 6; y++)
+      for (int z = -6; z <= 6; z++)
+        if (x * x + y * y + z * z <= radius * radius)
+          at.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+  body.nowned = body.nall = static_cast<int>(at.size());
+  body.diameter.assign(body.nall, 1.0);
+  for (int i = 0; i < body.nall; i++) {
+    body.id.push_back(i + 1);
+    for (int j = i + 1; j < body.nall; j++) {
+      const Vector3 d = {at[j][0] - at[i][0], at[j][1] - at[i][1], at[j][2] - at[i][2]};
+      const double r = std::sqrt(dot(d, d));
+      if (r < 2.001) body.bonds.push_back({i, j, {d[0] / r, d[1] / r, d[2] / r}, r, true, 0.0});
+    }
+  }
+  body.list_neighbours();
+  const Surfaces surfaces(body, Cells(body));
+  for (int i = 0; i < body.nall; i++) {
+    const double r = std::sqrt(dot(at[i], at[i]));
+    if (r < radius - 0.5) continue;
+    const Matrix3 &b = surfaces.blocked[i];
+    EXPECT_NEAR(b[0][0] + b[1][1] + b[2][2], 1.0, 1e-12);
+    EXPECT_GT(dot(Vector3{dot(b[0], at[i]), dot(b[1], at[i]), dot(b[2], at[i])}, at[i]) / (r * r),
+              0.7);    // terraces of steps one spacing high: cos^2 of 32 degrees
+  }
+}
+
 TEST(Volumes, ACellAtASurfaceGrowsWithItsFace)
 {
   const Block block = {5, 5, 5, false, 1.0, 2.0};
@@ -210,6 +245,27 @@ TEST(Admissible, AFaceCarriesNoTraction)
   const Matrix6 &middle = k[solid.at(block, 4, 4, 4)];
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < 6; j++) EXPECT_NEAR(middle[i][j], compliance[i][j], 1e-12);
+}
+
+// along an edge: tension, and the shear that torsion causes there, which turns around the edge and vanishes on it
+TEST(Admissible, AnEdgeCarriesTensionAndTorsion)
+{
+  const Block block = {9, 9, 9, false, 1.0, 2.0};
+  Solid solid(block);
+  solid.body.volume.assign(solid.body.nall, 1.0);
+  const Surfaces surfaces(solid.body, Cells(solid.body));
+  const auto k = admissible_strains(solid.body, surfaces, UniformAreas(solid.body, surfaces));
+  const Matrix6 stiffness = isotropic_stiffness(0.25);
+  const Matrix6 seen = product(stiffness, product(k[solid.at(block, 4, 8, 8)], stiffness));
+  const auto share = [&](const Vector6 &stress) {
+    return dot(product(seen, stress), stress) / dot(product(stiffness, stress), stress);
+  };
+  const double root = std::sqrt(0.5);
+  // xx; x with the direction around the edge; x with the one out of it; yy
+  EXPECT_NEAR(seen[0][0], 1.0, 1e-3);
+  EXPECT_GT(share({0.0, 0.0, 0.0, 0.0, root, -root}), 0.99);
+  EXPECT_LT(share({0.0, 0.0, 0.0, 0.0, root, root}), 0.01);
+  EXPECT_NEAR(seen[1][1], 0.0, 1e-3);
 }
 
 // the slope is that of the square, by differences

@@ -62,12 +62,12 @@ TEST(BodyArea, FreeBlockIsBalancedAndKeepsItsEnergy)
     for (const int i : {bond.low, bond.high})
       energy[i % n[0]] += 0.5 * bond.area * bond.length * strain * strain;
   }
-  // away from the ends each slice stores the energy of the solid, within 1 %, and the particles are in balance:
-  // what is left over costs the square of it
+  // away from the ends each slice stores the energy of the solid, within 1 %, and the particles are nearly in balance, in a sum over
+  // states that has those of torsion in it too: what is left over costs the square of it
   for (int slice = 5; slice < 11; slice++) {
     EXPECT_NEAR(energy[slice] / 36.0, 1.0, 0.01);
     for (int i = slice; i < body.nall; i += n[0])
-      EXPECT_LT(std::sqrt(dot(force[i], force[i])), 0.05);
+      EXPECT_LT(std::sqrt(dot(force[i], force[i])), 0.07);
   }
 }
 

@@ -68,7 +68,7 @@ def solve_in_lammps(run_lammps, folder, body, reach=2.0, area="body", nprocs=1, 
 
 
 # The promises for r_infl = 2 d with 5 particles through the depth (issue of the project, docs/area.md): axial stiffness
-# within 1 %, bending within 2 %, tip and frequency, clamped where the free particles begin, within 5 %
+# within 1 %, bending within 2 %, torsion, tip and frequency, clamped where the free particles begin, within 5 %
 @pytest.mark.parametrize("lattice, depth", [("sc", 5), ("fcc", 5.6), ("hcp", 5)])
 def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     body = networks.beam(lattice, depth, 40)
@@ -77,30 +77,42 @@ def test_stiffness_of_a_beam(run_lammps, tmp_path, lattice, depth):
     ratio = networks.measure(body, pairs, areas, 2.0)
     assert ratio["axial"] == pytest.approx(1.0, abs=0.01)
     assert ratio["bending"] == pytest.approx(1.0, abs=0.02)
-    assert ratio["tip"] == pytest.approx(1.0, abs=0.05)
-    assert ratio["frequency"] == pytest.approx(1.0, abs=0.05)
+    for what in ("torsion", "tip", "frequency"):
+        assert ratio[what] == pytest.approx(1.0, abs=0.05)
 
 
 @pytest.mark.parametrize("lattice, depth", [("sc", 10), ("fcc", 9.9)])
 def test_ten_particles_through_the_depth(run_lammps, tmp_path, lattice, depth):
-    """tip and frequency within 2 %, clamped where the free particles begin"""
+    """torsion, tip and frequency within 2 %, clamped where the free particles begin"""
     body = networks.beam(lattice, depth, 80)
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body)
     ratio = networks.measure(body, pairs, areas, 2.0)
     assert ratio["axial"] == pytest.approx(1.0, abs=0.01)
-    for what in ("bending", "tip", "frequency"):
+    for what in ("bending", "torsion", "tip", "frequency"):
         assert ratio[what] == pytest.approx(1.0, abs=0.02)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_stiffness_of_a_random_packing(run_lammps, tmp_path, seed):
-    """within 5 % of the box, in tension and in bending. The mass is that of the solid box, so that `density` gives its
+    """within 5 % of the box, in tension and in bending, and 7 % in torsion. The mass is that of the solid box, so that `density` gives its
     volume; the frequency of a cantilever of 3.5 depths is that of the clamp too and stays out"""
     body = networks.packing(8, 30, spread=0.2, seed=seed)
     _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body, area="body density 2500", mass=2500 * body.v)
     ratio = networks.measure(body, pairs, areas, 2.0)
     assert ratio["axial"] == pytest.approx(1.0, abs=0.05)
     assert ratio["bending"] == pytest.approx(1.0, abs=0.05)
+    assert ratio["torsion"] == pytest.approx(1.0, abs=0.07)
+
+
+# The steps of the surface: 6 % in the mode that turns its halves against each other and 3 % in the one that flattens it, with 12
+# particles across (docs/area.md has the order in which these errors fall)
+@pytest.mark.parametrize("lattice, radius", [("sc", 6), ("fcc", 5)])
+def test_sphere(run_lammps, tmp_path, lattice, radius):
+    body = networks.sphere(lattice, radius)
+    _, pairs, areas = solve_in_lammps(run_lammps, tmp_path, body)
+    twisted, flattened = np.divide(networks.sphere_modes(body, pairs, areas), networks.SPHERE)
+    assert twisted == pytest.approx(1.0, abs=0.06)
+    assert flattened == pytest.approx(1.0, abs=0.03)
 
 
 def test_periodic_crystal_is_isotropic(run_lammps):

@@ -30,8 +30,8 @@ def test_a_quarter_stands_for_the_whole(n):
 
 
 def test_errors_fall(lmp):
-    """3 and 6 through the depth. body from the last held layer: within 1 %, where the beam theory ends; lattice: first order"""
-    few, more = (convergence.errors(lmp, n, "body") for n in (3, 6))
+    """body, 5 and 10 through the depth, from the last held layer: within 1 %, where the beam theory ends; lattice, 3 and 6: first order"""
+    few, more = (convergence.errors(lmp, n, "body") for n in (5, 10))
     for what in ("tip", "frequency"):
         assert abs(few[what, "plane"]) < 0.05 and abs(more[what, "plane"]) < 0.6 * abs(few[what, "plane"])
         assert abs(few[what, "layer"]) < 0.01 and abs(more[what, "layer"]) < 0.01

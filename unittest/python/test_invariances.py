@@ -15,9 +15,9 @@ from potdem import dumps, scripts
 
 # of the largest value: rounding of the transformed input, and of sums in another order
 ROUNDING = 1e-12
-# of area body where the axes lie otherwise: its rays, 400 from each particle, are fixed to them. Observed: 0.3 % of the energy of these few
-# and irregular particles
-CELLS = 5e-3
+# of area body where the axes lie otherwise: its rays, 400 from each particle, are fixed to them. Observed: 0.7 % of the energy of these few
+# and irregular particles, of which a ray decides whether they are at an edge
+CELLS = 1e-2
 # after STEPS steps with friction, which passes from sticking to sliding: rounding grows. Observed: up to 1e-11
 LATER = 1e-8
 STEPS = 100

@@ -58,13 +58,13 @@ def test_modulus_between_platens(recipe, nprocs):
 
 
 def test_triaxial(recipe):
-    """10 MPa from all sides, held on four while the cube is pressed on; eight particles read 6 % stiff between platens (see the page)"""
+    """10 MPa from all sides, held on four while the cube is pressed on; eight particles read 8 % stiff between platens (see the page)"""
     thermo = recipe("triaxial", strain=2e-4, tension=3e9).thermo
     shear = thermo["v_shortening"] > 0
     start = np.flatnonzero(shear)[0] - 1
     assert thermo["v_stress"][start] == pytest.approx(1e7, rel=0.01)
     assert thermo["v_lateral"][start:] == pytest.approx(1e7, rel=0.02)
-    assert E < slope(thermo["v_shortening"][shear], thermo["v_stress"][shear]) < 1.08 * E
+    assert E < slope(thermo["v_shortening"][shear], thermo["v_stress"][shear]) < 1.09 * E
 
 
 def test_bending(recipe):

@@ -144,10 +144,10 @@ def test_speed_of_waves_along_a_bar(run_lammps):
     assert found * length / np.pi == pytest.approx(speed, rel=LOWERED)
 
 
-@pytest.mark.parametrize("reach", [1.42, 2.0])
-def test_speed_of_waves_along_a_bar_of_the_right_area(run_lammps, reach):
-    """area body: c = (E / rho)^(1/2) of the solid, as its axial stiffness is right within 1 %, half of that in c"""
+@pytest.mark.parametrize("reach, axial", [(1.42, 0.025), (2.0, 0.01)])
+def test_speed_of_waves_along_a_bar_of_the_right_area(run_lammps, reach, axial):
+    """area body: c = (E / rho)^(1/2) of the solid, as its axial stiffness is right within so much (docs/area.md), half of that in c"""
     length = 48
     script = replaced(body("sc", (length, 5, 5), reach, "f f f", room=4.0), f"area factor {A}", "area body density 1")
     found = first_vibration(run_lammps, script, length, np.pi / length)
-    assert found * length / np.pi == pytest.approx(1.0, abs=LOWERED + 0.005)
+    assert found * length / np.pi == pytest.approx(1.0, abs=LOWERED + axial / 2)

@@ -64,11 +64,11 @@ Axes free_axes(const BondedBody &body, const Matrix3 &blocked, const Matrix3 &ne
   return axes;
 }
 
-// along a direction, from the second moment there over the largest
+// from the second moment along a direction over the largest
 double trust(double bonded)
 {
-  return std::clamp((bonded - areas::CUT_OFF) / (areas::COMPLETE - areas::CUT_OFF), areas::FLOOR,
-                    1.0);
+  const double share = (bonded - areas::CUT_OFF) / (areas::COMPLETE - areas::CUT_OFF);
+  return std::pow(std::clamp(share, areas::FLOOR, 1.0), 2);
 }
 
 }    // namespace
@@ -81,12 +81,16 @@ std::vector<Matrix6> POTDEM::admissible_strains(const BondedBody &body, const Su
   for (int i = 0; i < body.nowned; i++) {
     if (!body.bonded(i)) continue;
     const Axes axes = free_axes(body, surfaces.blocked[i], nearby[i], uniform, i);
-    const Vector3 &bonded = axes.bonded;
+    // where two directions are alike, no matter which axes they are given
     std::vector<StressState> states;
     for (int k = 3 - axes.free; k < 3; k++)
       for (int l = k; l < 3; l++)
-        states.push_back({trust(bonded[k] / bonded[2]) * trust(bonded[l] / bonded[2]),
-                          mandel(axes.axis[k], axes.axis[l])});
+        states.push_back(
+            {trust(axes.bonded[l] / axes.bonded[2]), mandel(axes.axis[k], axes.axis[l])});
+    if (axes.free == 1) {    // an edge
+      const Vector3 around = cross(axes.axis[2], surfaces.outward[i]);
+      if (dot(around, around) > 0.0) states.push_back({1.0, mandel(axes.axis[2], around)});
+    }
     admissible[i] = energy_norm(states);
   }
   return admissible;

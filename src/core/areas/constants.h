@@ -41,7 +41,7 @@ static constexpr double MOST_RAYS = 2000.0;
 // rounding: difference of lengths, over the mean length of a bond, within which they are the same
 static constexpr double ALIKE = 1e-9;
 // derived: bonds as far as which a particle's surfaces, volume and admissible states depend on others: one for its cell,
-// one more for the faces that end it, and NEARBY_BONDS
+// one more for the faces that end it and the surface around it, and NEARBY_BONDS
 static constexpr int SEEN_BONDS = 4;
 // chosen: bonds as far as which its areas do: the influence of what is farther away fades to a fifth with every bond
 static constexpr int ALIKE_BONDS = 16;
@@ -56,6 +56,9 @@ static constexpr double OPEN_FROM = 1.0;
 static constexpr int PORE = 2;
 // chosen: share of the open rays' second moment from which a direction is blocked: a face has below 0.12, edge and corner 0.29
 static constexpr double BLOCKED_SHARE = 0.2;
+// chosen: share of the surface around a particle, by its directions, from which a second one makes an edge, a third one a corner: 0.16
+// or more there, 0.12 or less at the steps of spheres of four spacings and more
+static constexpr double EDGE_SPREAD = 0.145;
 // chosen: share of the open rays' length that is left along a face's normal: a cone has (1 + cos)/2, a slit 0
 static constexpr double ONE_SIDE = 0.5;
 
@@ -78,11 +81,11 @@ static constexpr double LAMBDA_ROUNDING = 1e-15;
 static constexpr int NEARBY_BONDS = 2;
 // chosen: second moment (1 inside the body) that a surface nearby takes off
 static constexpr double NEARBY = 5.0;
-// chosen: second moment along a direction, over the largest, up to which a state is not trusted
+// chosen: second moment along a direction, over the largest, up to which the normal stress there is not trusted
 static constexpr double CUT_OFF = 0.7;
 // chosen: the same, from which it is trusted
 static constexpr double COMPLETE = 0.9;
-// chosen: least trust per direction; K has its square, two directions a hundredth
+// chosen: square root of the least trust in the normal stress along a direction; K has the fourth power, a hundredth
 static constexpr double FLOOR = 0.3;
 // derived: twice NEARBY, so that blocked directions come first
 static constexpr double BEHIND = 10.0;

@@ -54,6 +54,11 @@ template <class V> double dot(const V &a, const V &b)
   return sum;
 }
 
+inline Vector3 cross(const Vector3 &a, const Vector3 &b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 template <class M> M product(const M &a, const M &b)
 {
   M c{};
