@@ -415,7 +415,7 @@ double BondPotdemBase::single(int type, double rsq, int i, int j, double &fforce
   fforce = 0.0;
   std::fill(svector, svector + single_extra, 0.0);
   if (type <= 0) return 0.0;
-  if (!history) FixPotdemBondHistory::get(lmp, style);
+  if (!history) history = FixPotdemBondHistory::get(lmp, style);
   const int owned = i < atom->nlocal ? i : j, other = owned == i ? j : i;
   const int slot = history->slot(owned, atom->tag[other]);
   if (slot < 0 || history->length(owned, slot) <= 0.0) return 0.0;
