@@ -19,14 +19,18 @@ def table_of_laws(root, kind):
     return block
 
 
+def laws_of(root, kind):
+    """[(name, law)] of the styles of this kind, in the order of law_list.h"""
+    return re.findall(r"X\((\w+), (\w+)\)", table_of_laws(root, kind))
+
+
 def registered_styles(root):
     """(kind, name) of each style of the package: the rows of potdem_styles.h, and of the lists of laws from which it makes some"""
     rows = r"^(\w+)Style\((\S+?),"
     table = (root / "src" / "lammps" / "potdem_styles.h").read_text()
     found = [(kind.lower(), name) for kind, name in re.findall(rows, table, re.MULTILINE)]
     for kind, pattern in re.findall(r"^  (\w+)Style\((potdem/name\S*?),", table, re.MULTILINE):
-        block = table_of_laws(root, kind.lower())
-        found += [(kind.lower(), pattern.replace("name", law)) for law in re.findall(r"X\((\w+), \w+\)", block)]
+        found += [(kind.lower(), pattern.replace("name", name)) for name, _ in laws_of(root, kind.lower())]
     return found
 
 

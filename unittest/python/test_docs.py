@@ -62,7 +62,7 @@ run 20
 def law_header(kind, style):
     """core/laws/*.h of a pair or bond style, by its row of CONTACT_LAWS or BOND_LAWS"""
     laws = ROOT / "src" / "core" / "laws"
-    (law,) = re.findall(rf"X\({style.split('/')[1]}, (\w+)\)", inputs.table_of_laws(ROOT, kind))
+    law = dict(inputs.laws_of(ROOT, kind))[style.split("/")[1]]
     (header,) = [header for header in laws.glob("*.h") if re.search(rf"^struct {law}\b[^;]*$", header.read_text(), re.MULTILINE)]
     return header
 
@@ -214,7 +214,7 @@ def test_page_names_every_keyword_that_the_style_reads(kind, name):
         beside -= {"attract"}    # a setting of pair_style
     keywords += sorted(beside)
     if "CONTACT_LAWS(POTDEM_TRY)" in text:
-        keywords += re.findall(r"X\((\w+), \w+\)", inputs.table_of_laws(ROOT, "pair"))
+        keywords += [law_name for law_name, _ in inputs.laws_of(ROOT, "pair")]
     assert keywords or kind in ("compute", "command")
     page = page_of(kind, name).read_text(encoding="utf-8")
     syntax = section(page, "Syntax")

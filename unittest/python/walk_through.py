@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from potdem.scripts import table_of_laws
+from potdem.scripts import laws_of
 from potdem.text import replaced
 
 LIST = "src/core/laws/law_list.h"
@@ -52,14 +52,14 @@ def objects(build):
 
 def add_pair_styles(root, folder, made, anew):
     """the sources of the normal laws that the patch adds, compiled as that of another one"""
-    rows = [set(re.findall(r"X\((\w+), (\w+)\)", table_of_laws(tree, "pair"))) for tree in (root, folder)]
-    pattern = next(name for name in made if name.endswith("pair_potdem_hertz.cpp.o"))
-    source = re.search(r" -c (\S+)$", made[pattern][0]).group(1)
-    for name, law in rows[1] - rows[0]:
-        text = (folder / "src" / "lammps" / "pair" / "pair_potdem_law.cpp.in").read_text().replace("@name@", name).replace("@law@", law)
-        (folder / f"pair_potdem_{name}.cpp").write_text(text)
-        anew[pattern.replace("hertz", name)] = replaced(replaced(made[pattern][0], f" -c {source}", f" -c {folder}/pair_potdem_{name}.cpp"),
-                                                        f" -o {pattern} ", f" -o {pattern.replace('hertz', name)} ")
+    template = (folder / "src" / "lammps" / "pair" / "pair_potdem_law.cpp.in").read_text()
+    like = next(name for name in made if name.endswith("pair_potdem_hertz.cpp.o"))
+    line, _ = made[like]
+    for name, law in set(laws_of(folder, "pair")) - set(laws_of(root, "pair")):
+        source = folder / f"pair_potdem_{name}.cpp"
+        source.write_text(template.replace("@name@", name).replace("@law@", law))
+        made_from_it = like.replace("hertz", name)
+        anew[made_from_it] = re.sub(r" -c \S+$", f" -c {source}", replaced(line, f" -o {like} ", f" -o {made_from_it} "))
 
 
 def build_plugin(root, build, patch, folder, *options):
