@@ -20,11 +20,9 @@ MARKERS = {
     "built_in": "about the build itself; not repeated through the plugin",
 }
 
-# Open MPI's start, which takes longer than most runs, 0.4 s: without a look for fast networks, and of a single rank without helpers, 0.05 s.
-# Several tests run at a time, on more ranks than there are cores: one that waits for another lets it have the core. After an error it does
-# not wait a second before it ends the other ranks
-OPEN_MPI = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
-            "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+# Open MPI starts without a look for fast networks. Several tests run at a time, on more ranks than there are cores: one that waits for
+# another lets it have the core. After an error it does not wait a second before it ends the other ranks
+OPEN_MPI = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
 
 def pytest_configure(config):

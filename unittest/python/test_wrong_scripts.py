@@ -16,8 +16,6 @@ from potdem.paths import ROOT
 CATALOGUE = yaml.safe_load((ROOT / "unittest" / "wrong-scripts.yaml").read_text(encoding="utf-8"))
 BEGIN = "---- after the prelude ----"
 LIMIT = 100    # seconds; the longest takes one or two on a quiet machine
-# a single rank starts without a folder for helpers
-ALONE = {"OMPI_MCA_orte_create_session_dirs": "0"}
 
 
 def cases(kind):
@@ -47,7 +45,7 @@ def run(case, folder, lmp):
     for file, content in CATALOGUE["files"].items():
         if file in text:
             (folder / file).write_text(content, encoding="utf-8")
-    return running.run(text, {}, folder, ranks, limit=LIMIT, lmp=lmp, more={} if ranks > 1 else ALONE)
+    return running.run(text, {}, folder, ranks, limit=LIMIT, lmp=lmp)
 
 
 @pytest.fixture(scope="module")
