@@ -3,19 +3,22 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-// areas of one body by `area body`, without LAMMPS, for tools/area_constants.py.
-// in: particles, bonds, "x y z d v" of each particle, "i j" of each bond; out: the area of each bond, nothing where refused
+// areas of one body by `area body`, without LAMMPS, for tools/area_constants.py. The argument: Poisson's ratio.
+// in: particles, bonds, "x y z d v" of each particle, "i j" of each bond; out: of each bond the area and its weight in the dilatation of its
+// low and of its high end, then the volume of each particle; nothing where refused
 
 #include "body_area.h"
 
 #include <cstdio>
+#include <cstdlib>
 
-int main()
+int main(int argc, char **argv)
 {
   int n, count;
   if (std::scanf("%d %d", &n, &count) != 2) return 1;
   POTDEM::BodyHalo alone;
   POTDEM::BondedBody body(alone);
+  if (argc > 1) body.elasticity.poisson = std::atof(argv[1]);
   body.nowned = body.nall = n;
   std::vector<POTDEM::Vector3> at(n);
   body.diameter.resize(n);
@@ -36,6 +39,8 @@ int main()
     body.bonds.push_back(bond);
   }
   if (POTDEM::find_body_areas(body).outcome != POTDEM::BodyAreaReport::DONE) return 0;
-  for (const auto &bond : body.bonds) std::printf("%.17g\n", bond.area);
+  for (const auto &bond : body.bonds)
+    std::printf("%.17g %.17g %.17g\n", bond.area, bond.dilatation[0], bond.dilatation[1]);
+  for (const double volume : body.volume) std::printf("%.17g\n", volume);
   return 0;
 }

@@ -69,20 +69,31 @@ def build(folder, compiler):
     text = LINE.sub(r'inline const \1 \2 = static_cast<\1>(given("POTDEM_\2", \3));', text)
     text = replaced(replaced(text, "namespace POTDEM", "#include <cstdlib>\nnamespace POTDEM", 1), "{\n", "{\n" + given, 1)
     (copy / "constants.h").write_text(text)
-    subprocess.run([compiler, "-std=c++17", "-O2", "-I", copy, ROOT / "tools" / "area_constants.cpp", *copy.glob("*.cpp"),
+    subprocess.run([compiler, "-std=c++17", "-O2", "-I", copy, "-I", ROOT / "src", ROOT / "tools" / "area_constants.cpp", *copy.glob("*.cpp"),
                     "-o", folder / "solve"], check=True)
     return folder / "solve"
 
 
-def solve(program, body, pairs, changes):
-    """section of each pair; None where the body is refused"""
+def solve_solid(program, body, pairs, poisson, changes=None):
+    """of the solid of this Poisson's ratio and E = 1: section of each pair, and its networks.Dilatation; None where the body is refused.
+    pairs: the particle of the lower number first"""
     rows = [f"{len(body.x)} {len(pairs)}"]
     rows += [" ".join(f"{value:.17g}" for value in (*x, d, v)) for x, d, v in zip(body.x, body.d, body.v)]
-    rows += [f"{i} {j}" for i, j in np.sort(pairs, axis=1)]
-    done = subprocess.run([program], input="\n".join(rows), env={**os.environ, **changes}, capture_output=True, text=True,
-                          check=True)
-    areas = np.array(done.stdout.split(), dtype=float)
-    return areas if len(areas) == len(pairs) and np.isfinite(areas).all() else None
+    rows += [f"{i} {j}" for i, j in pairs]
+    done = subprocess.run([program, str(poisson)], input="\n".join(rows), env={**os.environ, **(changes or {})}, capture_output=True,
+                          text=True, check=True)
+    found = np.array(done.stdout.split(), dtype=float)
+    if len(found) != 3 * len(pairs) + len(body.x) or not np.isfinite(found).all():
+        return None
+    of_bonds = found[:3 * len(pairs)].reshape(-1, 3)
+    dilatation = networks.Dilatation.of_solid(poisson, found[3 * len(pairs):], of_bonds[:, 1:])
+    return 1.25 / (1 + poisson) * of_bonds[:, 0], dilatation
+
+
+def solve(program, body, pairs, changes):
+    """section of each pair, bonds alone; None where the body is refused"""
+    found = solve_solid(program, body, np.sort(pairs, axis=1), 0.25, changes)
+    return found and found[0]
 
 
 def stiffness(program, body, pairs, changes):

@@ -3,17 +3,21 @@
 # Distributed under the GNU General Public License, version 2
 
 """What the areas of the trusses are worth: beams of several lattices and packings, their stiffness in tension, bending and torsion,
-the tip deflection and the first frequency of the cantilever, over the exact values of the solid; and free spheres cut from lattices (docs/area.md).
+the tip deflection and the first frequency of the cantilever, over the exact values of the solid; free spheres cut from lattices; and beams
+with a Poisson's ratio that is given (docs/area.md).
 
-The areas of `area body` come from LAMMPS, those of the rejected formulations are found here; all networks are solved by
-potdem/networks.py.
+The areas of `area body` come from LAMMPS, with a given Poisson's ratio from the solver of tools/area_constants.py, which is the same;
+those of the rejected formulations are found here. All networks are solved by potdem/networks.py.
 
-Usage: tools/area_report.py [--lmp build/lmp] [--quick] [--spheres]       prints the tables of docs/area.md in Markdown
+Usage: tools/area_report.py [--lmp build/lmp] [--quick] [--only beams|spheres|poisson]       prints the tables of docs/area.md in Markdown
 """
 
 import argparse
+import os
+import tempfile
 from pathlib import Path
 
+import area_constants
 import numpy as np
 import scipy.sparse
 import scipy.sparse.linalg
@@ -91,7 +95,7 @@ def bodies(quick):
         yield "random", 2.0, networks.packing(depth, 8 * depth, spread=0.2)
 
 
-def print_spheres(lmp):
+def print_spheres(lmp, _quick):
     """lowest modes, over those of the solid sphere of the same volume"""
     print("| sphere | across | area | twisted | flattened |")
     print("|---|---|---|---|---|")
@@ -124,15 +128,40 @@ def print_beams(lmp, quick):
                   f" | {ratio['clamp']:.2f} |", flush=True)
 
 
+RATIOS = (0.0, 0.1, 0.18, 0.25, 0.33, 0.42, 0.49)
+
+
+def print_poisson(_lmp, quick):
+    """with `nu x area body`"""
+    print("| body | depth | nu | tension | bending | torsion | tip | frequency | nu found |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        solver = area_constants.build(Path(folder), os.environ.get("CXX", "g++"))
+        for name, lattice, depth in (("cubic", "sc", 5), ("cubic", "sc", 10), ("fcc", "fcc", 5.6), ("random", None, 6)):
+            if quick and depth > 6:
+                continue
+            body = networks.beam(lattice, depth, 8 * depth if depth > 6 else 50) if lattice else networks.packing(depth, 8 * depth, 0.2)
+            pairs = np.sort(body.pairs(2.0), axis=1)
+            for nu in RATIOS:
+                area, dilatation = area_constants.solve_solid(solver, body, pairs, nu)
+                ratio = networks.measure(body, pairs, area, 2.0, poisson=nu, dilatation=dilatation if nu != 0.25 else None)
+                print(f"| {name} | {body.size[2]:.3g} | {nu} | " +
+                      " | ".join(f"{ratio[k]:.3f}" for k in ("axial", "bending", "torsion", "tip", "frequency", "poisson")) + " |",
+                      flush=True)
+
+
+TABLES = {"beams": print_beams, "spheres": print_spheres, "poisson": print_poisson}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--lmp", default=LMP, type=lambda name: Path(name).resolve())
     parser.add_argument("--quick", action="store_true", help="r_infl = 2 d only")
-    parser.add_argument("--spheres", action="store_true", help="the second table only")
+    parser.add_argument("--only", choices=TABLES, help="one of the tables")
     arguments = parser.parse_args()
-    if not arguments.spheres:
-        print_beams(arguments.lmp, arguments.quick)
-    print_spheres(arguments.lmp)
+    for name, table in TABLES.items():
+        if arguments.only in (None, name):
+            table(arguments.lmp, arguments.quick)
 
 
 if __name__ == "__main__":

@@ -159,11 +159,31 @@ def quarter_fields(x):
                                    (3 * len(x), 3 * len(x)))
 
 
+class Dilatation:
+    """energy kappa / 2 sum_i v_i theta_i^2 of the dilatations theta_i = sum over the bonds of i of c_ib eps_b. weights: (bonds, 2),
+    c of each bond at its first and at its second end"""
+
+    def __init__(self, kappa, volumes, weights):
+        self.kappa, self.volumes, self.weights = kappa, volumes, weights
+
+    @classmethod
+    def of_solid(cls, poisson, volumes, weights):
+        """E = 1: kappa is Lame's constant less the shear modulus"""
+        return cls(poisson / ((1 + poisson) * (1 - 2 * poisson)) - 0.5 / (1 + poisson), volumes, weights)
+
+    def matrix(self, pairs, lengths):
+        """(particles, bonds): roots of v_i |kappa| times the dilatations, over the elongations"""
+        entries = np.sqrt(abs(self.kappa) * self.volumes[pairs]) * self.weights / lengths[:, None]
+        columns = np.broadcast_to(np.arange(len(pairs))[:, None], pairs.shape)
+        return coo_matrix((entries.ravel(), (pairs.ravel(), columns.ravel())), shape=(len(self.volumes), len(pairs))).tocsr()
+
+
 class Network:
     """displacements under forces, `held` particles fixed; Cholesky factor of the banded stiffness matrix. fields: columns of
-    which a displacement is made, one for each component of each particle or none (all there are, if not given)"""
+    which a displacement is made, one for each component of each particle or none (all there are, if not given); dilatation: a
+    Dilatation, or none"""
 
-    def __init__(self, x, pairs, area, held, fields=None):
+    def __init__(self, x, pairs, area, held, fields=None, dilatation=None):
         stretch, r = elongations(x, pairs)
         fields = identity(3 * len(x), format="csc") if fields is None else fields
         order = np.argsort(x[:, 0], kind="stable")
@@ -171,7 +191,11 @@ class Network:
         present = order[np.asarray(abs(fields).sum(axis=0)).ravel()[order] > 0]
         self.fields = fields[:, present]
         reduced = stretch @ self.fields
-        matrix = (reduced.T @ diags(area / r) @ reduced).tocoo()
+        matrix = reduced.T @ diags(area / r) @ reduced
+        if dilatation:
+            change = dilatation.matrix(pairs, r) @ reduced
+            matrix = matrix + np.sign(dilatation.kappa) * change.T @ change
+        matrix = matrix.tocoo()
         lower = matrix.row >= matrix.col
         row, column, value = matrix.row[lower], matrix.col[lower], matrix.data[lower]
         banded = np.zeros(((row - column).max() + 1, len(present)))
@@ -209,16 +233,16 @@ def rotation(x, u):
     return np.linalg.lstsq(columns.T, np.concatenate([u[:, 1], u[:, 2]]), rcond=None)[0][0]
 
 
-def measure(body, pairs, area, reach, axis=2):
+def measure(body, pairs, area, reach, axis=2, poisson=0.25, dilatation=None):
     """ratios to the exact values: stiffness in tension, bending and torsion (from the middle of the beam under end loads), tip
     deflection and first frequency of the cantilever that starts at the plane between held and free particles; and how far
     behind that plane a clamp would have to be for the tip deflection to be exact (spacings)"""
     x = body.x - [0, 0.5 * body.size[1], 0.5 * body.size[2]]
     length, start = body.size[0], clamp_depth(body, reach)
     depth, width = body.size[axis], body.size[3 - axis]
-    network = Network(x, pairs, area, x[:, 0] < start)
+    network = Network(x, pairs, area, x[:, 0] < start, dilatation=dilatation)
     free = length - start
-    exact = Beam(free, width, depth, shear_factor=5 / 6)
+    exact = Beam(free, width, depth, poisson=poisson, shear_factor=5 / 6)
     middle = (x[:, 0] > start + 0.3 * free) & (x[:, 0] < start + 0.75 * free)
 
     def fit(u, degree):
@@ -234,7 +258,8 @@ def measure(body, pairs, area, reach, axis=2):
 
     end = x[:, 0] > length - max(1.0, 0.5 * reach)
     share = 1 / body.v[end].sum()
-    stretch = fit(network.displacement(loaded(end, 0, share))[:, 0], 1)[1]
+    pulled = network.displacement(loaded(end, 0, share))
+    stretch = fit(pulled[:, 0], 1)[1]
     lever = x[end, axis] - np.average(x[end, axis], weights=body.v[end])
     moment = loaded(end, 0, -lever)
     moment /= -(moment[end, 0] * x[end, axis]).sum()
@@ -249,6 +274,7 @@ def measure(body, pairs, area, reach, axis=2):
     arm = np.average(x[tip, 0], weights=body.v[tip]) - start
     return {
         "axial": 1 / (stretch * exact.area),
+        "poisson": -fit(pulled[:, axis], 1)[3 if axis == 2 else 2] / stretch,
         "bending": 1 / (curvature * exact.inertia),
         "torsion": 1 / (twist * exact.torsion_constant * exact.modulus / (2 * (1 + exact.poisson))),
         "tip": deflection / exact.static(arm),

@@ -15,7 +15,7 @@ using namespace POTDEM;
 
 static constexpr double PI = 3.14159265358979323846;
 
-typedef std::vector<Vector> Corners;
+typedef std::vector<Vector3> Corners;
 typedef std::vector<TriangleMesh::Contact> Contacts;
 
 static std::mt19937 random_bits(5);
@@ -25,13 +25,13 @@ static double uniform(double lo, double hi)
   return std::uniform_real_distribution<double>(lo, hi)(random_bits);
 }
 
-static Vector random_place(double lo, double hi)
+static Vector3 random_place(double lo, double hi)
 {
   return {uniform(lo, hi), uniform(lo, hi), uniform(lo, hi)};
 }
 
 // a rectangle of n x n cells of two triangles, from a corner along two sides; its normal is their cross product
-static void add_rectangle(Corners &out, const Vector &corner, const Vector &a, const Vector &b,
+static void add_rectangle(Corners &out, const Vector3 &corner, const Vector3 &a, const Vector3 &b,
                           int n)
 {
   const auto at = [&](int i, int j) {
@@ -41,7 +41,7 @@ static void add_rectangle(Corners &out, const Vector &corner, const Vector &a, c
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++) {
       const bool other = (i + j) % 2;
-      const Vector p = at(i, j), q = at(i + 1, j), r = at(i + 1, j + 1), s = at(i, j + 1);
+      const Vector3 p = at(i, j), q = at(i + 1, j), r = at(i + 1, j + 1), s = at(i, j + 1);
       for (const auto &v : other ? Corners{p, q, s, q, r, s} : Corners{p, q, r, p, r, s})
         out.push_back(v);
     }
@@ -51,7 +51,7 @@ static void add_rectangle(Corners &out, const Vector &corner, const Vector &a, c
 static Corners cube(int n)
 {
   Corners out;
-  const Vector o{}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const Vector3 o{}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   add_rectangle(out, o, y, x, n);
   add_rectangle(out, z, x, y, n);
   add_rectangle(out, o, z, y, n);
@@ -71,7 +71,7 @@ static Corners valley(double angle)
   return out;
 }
 
-static Contacts contacts(const TriangleMesh &mesh, const Vector &x, double reach)
+static Contacts contacts(const TriangleMesh &mesh, const Vector3 &x, double reach)
 {
   Contacts out;
   mesh.contacts(x, reach, out);
@@ -85,16 +85,16 @@ TEST(Triangle, NearestPlaceIsNearest)
   constexpr int FINE = 60;
   int on[3] = {0, 0, 0};
   for (int sample = 0; sample < 500; sample++) {
-    const Vector a = random_place(-1, 1), b = random_place(-1, 1), c = random_place(-1, 1),
+    const Vector3 a = random_place(-1, 1), b = random_place(-1, 1), c = random_place(-1, 1),
                  x = random_place(-2, 2);
     const auto found = nearest_place(x, a, b, c);
-    const Vector del = found.place - x;
+    const Vector3 del = found.place - x;
     double least = HUGE_VAL, longest = 0.0;
-    for (const Vector &side : {b - a, c - b, a - c})
+    for (const Vector3 &side : {b - a, c - b, a - c})
       longest = std::max(longest, std::sqrt(dot(side, side)));
     for (int i = 0; i <= FINE; i++)
       for (int j = 0; i + j <= FINE; j++) {
-        const Vector p = add_scaled(add_scaled(a, i / 1.0 / FINE, b - a), j / 1.0 / FINE, c - a);
+        const Vector3 p = add_scaled(add_scaled(a, i / 1.0 / FINE, b - a), j / 1.0 / FINE, c - a);
         least = std::min(least, dot(p - x, p - x));
       }
     EXPECT_LE(std::sqrt(dot(del, del)), std::sqrt(least) + 1e-12);
@@ -108,7 +108,7 @@ TEST(TriangleTree, FindsWhatALoopOverAllFinds)
 {
   Corners soup;
   for (int k = 0; k < 3000; k++) {
-    const Vector middle = random_place(0, 10);
+    const Vector3 middle = random_place(0, 10);
     for (int c = 0; c < 3; c++) soup.push_back(add_scaled(middle, 0.2, random_place(-1, 1)));
   }
   std::vector<Box> boxes;
@@ -119,7 +119,7 @@ TEST(TriangleTree, FindsWhatALoopOverAllFinds)
   TriangleTree tree;
   tree.build(boxes);
   for (int sample = 0; sample < 100; sample++) {
-    const Vector x = random_place(-1, 11);
+    const Vector3 x = random_place(-1, 11);
     std::vector<int> found, right;
     int asked = 0;
     tree.search(x, 1.0, [&](int t, double &) {
@@ -168,7 +168,7 @@ TEST(TriangleMesh, InsideOfACube)
   const TriangleMesh mesh(cube(3));
   int inside = 0;
   for (int sample = 0; sample < 5000; sample++) {
-    const Vector x = random_place(-0.3, 1.3);
+    const Vector3 x = random_place(-0.3, 1.3);
     const bool right = std::all_of(x.begin(), x.end(), [](double k) {
       return k > 0.0 && k < 1.0;
     });
@@ -182,10 +182,10 @@ TEST(TriangleMesh, InsideOfACube)
 TEST(TriangleMesh, InsideOfANotch)
 {
   Corners notch;
-  const auto rectangle = [&notch](Vector o, Vector a, Vector b) {
+  const auto rectangle = [&notch](Vector3 o, Vector3 a, Vector3 b) {
     add_rectangle(notch, o, a, b, 1);
   };
-  const Vector X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
+  const Vector3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
   for (int k = 0; k < 2; k++)
     for (int j = 0; j < 2; j++)
       for (int i = 0; i < 2; i++) {
@@ -205,7 +205,7 @@ TEST(TriangleMesh, InsideOfANotch)
   ASSERT_TRUE(mesh.is_closed());
   EXPECT_NEAR(mesh.volume(), 7.0, 1e-13);
   for (int sample = 0; sample < 5000; sample++) {
-    const Vector x = random_place(-0.5, 2.5);
+    const Vector3 x = random_place(-0.5, 2.5);
     bool in = true, cut = true;
     for (const double k : x) {
       in = in && k > 0.0 && k < 2.0;
@@ -221,7 +221,7 @@ TEST(TriangleMesh, OneContactForAFaceAnEdgeAndACornerSeenFromOutside)
   for (const int n : {1, 2, 9}) {
     const TriangleMesh mesh(cube(n));
     for (int sample = 0; sample < 300; sample++) {
-      const Vector x = random_place(-0.6, 1.6);
+      const Vector3 x = random_place(-0.6, 1.6);
       double r2 = 0.0;
       for (const double k : x) {
         const double beyond = std::max(0.0, std::max(-k, k - 1.0));
@@ -241,7 +241,7 @@ TEST(TriangleMesh, AContactForEachFaceSeenFromInside)
   for (const int n : {1, 2, 9}) {
     const TriangleMesh mesh(cube(n));
     for (int sample = 0; sample < 300; sample++) {
-      const Vector x = random_place(0.01, 0.99);
+      const Vector3 x = random_place(0.01, 0.99);
       std::vector<double> right;
       for (const double k : x)
         for (const double r : {k, 1.0 - k})
@@ -281,7 +281,7 @@ TEST(TriangleMesh, EnergyIsContinuous)
   const double degree = PI / 180.0, h = 1e-4;
   for (const double angle : {-50.0, -20.0, 5.0, 14.0, 20.0, 45.0}) {
     const TriangleMesh mesh(valley(angle * degree));
-    const auto energy = [&](const Vector &x) {
+    const auto energy = [&](const Vector3 &x) {
       double sum = 0.0;
       for (const auto &contact : contacts(mesh, x, 1.0))
         sum += 0.5 * (1.0 - contact.r) * (1.0 - contact.r);

@@ -76,6 +76,7 @@ double trust(double bonded)
 std::vector<Matrix6> POTDEM::admissible_strains(const BondedBody &body, const Surfaces &surfaces,
                                                 const UniformAreas &uniform)
 {
+  const Matrix6 compliance = body.elasticity.compliance();
   const auto nearby = surfaces_nearby(body, surfaces);
   std::vector<Matrix6> admissible(body.nowned, Matrix6{});
   for (int i = 0; i < body.nowned; i++) {
@@ -91,14 +92,13 @@ std::vector<Matrix6> POTDEM::admissible_strains(const BondedBody &body, const Su
       const Vector3 around = cross(axes.axis[2], surfaces.outward[i]);
       if (dot(around, around) > 0.0) states.push_back({1.0, mandel(axes.axis[2], around)});
     }
-    admissible[i] = energy_norm(states);
+    admissible[i] = energy_norm(states, compliance);
   }
   return admissible;
 }
 
-Matrix6 POTDEM::energy_norm(std::vector<StressState> states)
+Matrix6 POTDEM::energy_norm(std::vector<StressState> states, const Matrix6 &compliance)
 {
-  const Matrix6 compliance = isotropic_compliance(areas::POISSON);
   std::stable_sort(states.begin(), states.end(), [](const StressState &a, const StressState &b) {
     return a.trust > b.trust;
   });

@@ -4,7 +4,7 @@
 ------------------------------------------------------------------------- */
 
 /* The strains in which a particle's energy and balance count: K_i = sum trust^2 eps (x) eps over the strains of the stress states
-   that are admissible at it, orthonormal in energy (modulus 1). Inside the body these are all states, and K_i is the compliance.
+   that are admissible at it, orthonormal in energy. Inside the body these are all states, and K_i is the compliance.
    States with a traction on a blocked direction drop out. Below a surface the normal stress across it counts less, the more so the
    nearer it is: it grows with the square of the depth. By how much is told by the second moment of the bonds, which are cut off
    there, and by the blocked directions of all particles nearby. Shear grows with the depth itself, as in a bar under torsion, and
@@ -26,7 +26,7 @@ struct StressState {
   Vector6 stress;
 };
 // K of independent states; the most trusted come first in making them orthonormal
-Matrix6 energy_norm(std::vector<StressState> states);
+Matrix6 energy_norm(std::vector<StressState> states, const Matrix6 &compliance);
 
 }    // namespace POTDEM
 

@@ -7,6 +7,7 @@
 
 #include "admissible.h"
 #include "constants.h"
+#include "dilatation.h"
 #include "kinds.h"
 #include "targets.h"
 #include "volumes.h"
@@ -61,6 +62,11 @@ BodyAreaReport solve(BondedBody &body, const Setting &setting)
     report.least = std::min(report.least, squares.solution()[b]);
     report.most = std::max(report.most, squares.solution()[b]);
     body.bonds[b].area = squares.area(b);
+  }
+  if (body.elasticity.has_volume_term()) {
+    const Dilatation dilatation(body, squares.areas(), admissible);
+    for (std::size_t b = 0; b < body.bonds.size(); b++)
+      for (int end = 0; end < 2; end++) body.bonds[b].dilatation[end] = dilatation.weight(b, end);
   }
   return report;
 }

@@ -12,6 +12,7 @@
 #ifndef POTDEM_BONDED_BODY_H
 #define POTDEM_BONDED_BODY_H
 
+#include "elasticity.h"
 #include "mandel.h"
 
 #include <cstddef>
@@ -35,6 +36,8 @@ struct BondedBody {
     double length;     // at rest, > 0
     double counted;    // so often in sums over all bonds; the ranks' shares add up
     double area;       // the answer
+    // weight in the dilatation of the low and of the high end; of the answer, too, where there is a volume term
+    double dilatation[2] = {0.0, 0.0};
   };
   // a bond seen from one of its ends
   struct Neighbour {
@@ -50,6 +53,7 @@ struct BondedBody {
   };
 
   BodyHalo &halo;
+  Elasticity elasticity;    // of the solid
   int nowned = 0, nall = 0;
   std::vector<double> diameter;    // of nall particles, > 0; only their ratios matter
   std::vector<double>

@@ -21,6 +21,14 @@ static constexpr double SOLID_TRACE = 6.0;
 // derived: edge^2 over the variance of a cube along an edge; stands for all cells
 static constexpr double SQUARE_OVER_VARIANCE = 12.0;
 
+// ---- change of volume
+
+// rounding: weight of the exact dilatation in admissible strains against that of small weights of the bonds: ten times less or more
+// changes stiffnesses by less than 0.001
+static constexpr double EXACT_WEIGHT = 1e5;
+// rounding: added to K, so that it has a root
+static constexpr double NO_STATE = 1e-9;
+
 // ---- cells
 
 // rounding: least distance of a side of a cell from its centre, over the bond's length

@@ -89,6 +89,7 @@ Kinds::Kinds(const BondedBody &bonded, const Surroundings &surroundings) :
     kind(bonded.nowned), reduced(bonded.bonds.size(), NONE),
     scratch(new double[static_cast<std::size_t>(bonded.nall) * BodyHalo::WIDEST])
 {
+  body.elasticity = whole.elasticity;
   list_kinds(surroundings.seen);
   reduce();
 }
@@ -176,14 +177,20 @@ void Kinds::give_volumes(BondedBody &answered) const
   answered.forward(answered.volume);
 }
 
-// a bond has the mean of what its two ends find
+// a bond has the mean of the areas that its two ends find, and of each end the weight that it finds
 void Kinds::give_areas(BondedBody &answered) const
 {
-  for (auto &bond : answered.bonds) bond.area = 0.0;
+  for (auto &bond : answered.bonds) bond.area = bond.dilatation[0] = bond.dilatation[1] = 0.0;
   for (int i = 0; i < whole.nowned; i++)
     for (const auto &to : whole.neighbours(i)) {
       const double share = to.particle < whole.nowned ? 0.5 : 1.0;
-      answered.bonds[to.bond].area += share * body.bonds[solved_bond(i, to)].area;
+      auto &bond = answered.bonds[to.bond];
+      const auto &solved = body.bonds[solved_bond(i, to)];
+      // the solved one may be the other way round
+      const int end = to.sign > 0.0 ? 0 : 1, like = solved.low == kind[i] ? 0 : 1;
+      bond.area += share * solved.area;
+      bond.dilatation[end] = solved.dilatation[like];
+      if (to.particle >= whole.nowned) bond.dilatation[1 - end] = solved.dilatation[1 - like];
     }
 }
 

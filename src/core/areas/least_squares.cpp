@@ -6,6 +6,7 @@
 #include "least_squares.h"
 
 #include "constants.h"
+#include "dilatation.h"
 
 using namespace POTDEM;
 
@@ -30,6 +31,31 @@ LeastSquares::LeastSquares(const BondedBody &bonded, const std::vector<double> &
     step(bonded.bonds.size()), moments(bonded.nall, Moments{}), done(0)
 {
   find_step();
+  find_push();
+}
+
+std::vector<double> LeastSquares::areas() const
+{
+  std::vector<double> found;
+  found.reserve(x.size());
+  for (std::size_t b = 0; b < x.size(); b++) found.push_back(area(b));
+  return found;
+}
+
+// the weights of the bonds in the dilatation follow the areas found so far
+void LeastSquares::find_push()
+{
+  if (!body.elasticity.has_volume_term()) return;
+  push = Dilatation(body, areas(), admissible).pushes();
+  for (auto &one : push)
+    for (auto &component : one) component *= body.elasticity.volume_modulus();
+}
+
+Misfit LeastSquares::misfit(int i, const Matrix6 *target) const
+{
+  Misfit found(moments[i], body.volume[i], target);
+  if (!push.empty()) found.add_push(push[i], body.volume[i]);
+  return found;
 }
 
 /* ----------------------------------------------------------------------
@@ -129,9 +155,7 @@ void LeastSquares::find_slopes(const std::vector<double> &z, const std::vector<M
 {
   accumulate(z);
   for (int i = 0; i < body.nowned; i++)
-    if (body.bonded(i))
-      moments[i] =
-          Misfit(moments[i], body.volume[i], &target[i]).slope(admissible[i], body.volume[i]);
+    if (body.bonded(i)) moments[i] = misfit(i, &target[i]).slope(admissible[i], body.volume[i]);
   body.forward(moments);
 }
 
@@ -153,6 +177,7 @@ double LeastSquares::descend(const std::vector<double> &ahead, std::vector<doubl
 // the momentum is dropped where it points uphill
 void LeastSquares::iterate(int n, const std::vector<Matrix6> &target)
 {
+  find_push();
   std::vector<double> ahead = x, moved(x.size());
   double t = 1.0;
   for (int iteration = 0; iteration < n; iteration++) {
@@ -175,6 +200,6 @@ std::vector<Misfit> LeastSquares::misfits(const std::vector<Matrix6> *target)
   std::vector<Misfit> found;
   found.reserve(body.nowned);
   for (int i = 0; i < body.nowned; i++)
-    found.emplace_back(moments[i], body.volume[i], target ? &(*target)[i] : nullptr);
+    found.push_back(misfit(i, target ? &(*target)[i] : nullptr));
   return found;
 }

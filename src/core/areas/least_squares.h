@@ -29,6 +29,7 @@ class LeastSquares {
 
   const std::vector<double> &solution() const { return x; }    // of each bond
   double area(int bond) const { return x[bond] * uniform[bond]; }
+  std::vector<double> areas() const;
   int iterations() const { return done; }
   // of the owned particles with the areas found, those without bonds included
   std::vector<Misfit> misfits(const std::vector<Matrix6> *target);
@@ -38,10 +39,14 @@ class LeastSquares {
   const std::vector<double> &uniform;
   const std::vector<Matrix6> &admissible;
   std::vector<double> x, step;
+  std::vector<Vector3>
+      push;    // of the volume term on each owned particle, for a dilatation of one, over E'; empty: there is none
   std::vector<Moments> moments;    // of all particles; then the misfit's slope with respect to them
   int done;
 
   void find_step();
+  void find_push();
+  Misfit misfit(int i, const Matrix6 *target) const;
   double curvature(int bond, const Matrix6 &k, double volume) const;
   double largest_eigenvalue(int i) const;
   void accumulate(const std::vector<double> &z);

@@ -13,13 +13,14 @@
 #ifndef POTDEM_MANDEL_H
 #define POTDEM_MANDEL_H
 
+#include "core/geometry/vector3.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace POTDEM {
 
-typedef std::array<double, 3> Vector3;
 typedef std::array<Vector3, 3> Matrix3;
 typedef std::array<double, 6> Vector6;
 typedef std::array<Vector6, 6> Matrix6;
@@ -52,11 +53,6 @@ template <class V> double dot(const V &a, const V &b)
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); k++) sum += a[k] * b[k];
   return sum;
-}
-
-inline Vector3 cross(const Vector3 &a, const Vector3 &b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <class M> M product(const M &a, const M &b)

@@ -41,6 +41,13 @@ Misfit::Misfit(const Moments &m, double v, const Matrix6 *target)
   }
 }
 
+void Misfit::add_push(const Vector3 &push, double v)
+{
+  const double surface = std::cbrt(v * v);
+  for (int a = 0; a < 3; a++)
+    for (int c = 0; c < 3; c++) force[a][c] += push[c] / surface;
+}
+
 double Misfit::square(const Matrix6 &k) const
 {
   const Matrix6 seen = product(k, energy);

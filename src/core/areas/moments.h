@@ -22,6 +22,8 @@ struct Misfit {
 
   // volume > 0; target: null for none
   Misfit(const Moments &, double volume, const Matrix6 *target);
+  // push: force of the unit dilatation, over E'
+  void add_push(const Vector3 &push, double volume);
   // energy^2 + force^2 as seen through K
   double square(const Matrix6 &admissible) const;
   // half of that square's slope with respect to the moments

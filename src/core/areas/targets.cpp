@@ -65,10 +65,10 @@ Matrix6 without_traction(const Vector6 &layer)
   return left;
 }
 
-Matrix6 layer_energy(const Vector6 &layer, double cell, const std::array<Matrix6, 6> &sixth)
+Matrix6 layer_energy(const Vector6 &layer, double cell, const std::array<Matrix6, 6> &sixth,
+                     const Elasticity &elasticity)
 {
-  const Matrix6 stiffness = isotropic_stiffness(areas::POISSON),
-                compliance = isotropic_compliance(areas::POISSON);
+  const Matrix6 stiffness = elasticity.stiffness(), compliance = elasticity.compliance();
   Matrix6 change{};
   for (int a = 0; a < 6; a++)
     for (int b = 0; b < 6; b++) {
@@ -114,7 +114,7 @@ bool Targets::correct(const LeastSquares &squares, const std::vector<Matrix6> &a
     Vector6 layer;
     for (int c = 0; c < 6; c++) layer[c] = layers[i][c] / body.volume[i];
     if (dot(layer, layer) * cell * cell < areas::NO_LAYER * areas::NO_LAYER) continue;
-    const Matrix6 change = layer_energy(layer, cell, bulk.sixth);
+    const Matrix6 change = layer_energy(layer, cell, bulk.sixth, body.elasticity);
     const Matrix6 seen = product(admissible[i], change);
     const double size2 = trace_of_product(seen, seen), limit = areas::LARGEST_CHANGE;
     add(energy[i], size2 > limit * limit ? limit / std::sqrt(size2) : 1.0, change);

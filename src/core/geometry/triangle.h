@@ -11,40 +11,21 @@
 #ifndef POTDEM_TRIANGLE_H
 #define POTDEM_TRIANGLE_H
 
-#include <array>
+#include "core/geometry/vector3.h"
 
 namespace POTDEM {
 
-typedef std::array<double, 3> Vector;
-
-inline Vector operator-(const Vector &a, const Vector &b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline double dot(const Vector &a, const Vector &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vector cross(const Vector &a, const Vector &b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Vector add_scaled(const Vector &a, double s, const Vector &b)
-{
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
-
 struct NearestPlace {
-  Vector place;
+  Vector3 place;
   enum { FACE, EDGE, CORNER } on;
   int which;    // edge k: from corner k to the next
 };
 
 // of a triangle whose area is not zero
-inline NearestPlace nearest_place(const Vector &x, const Vector &a, const Vector &b,
-                                  const Vector &c)
+inline NearestPlace nearest_place(const Vector3 &x, const Vector3 &a, const Vector3 &b,
+                                  const Vector3 &c)
 {
-  const Vector ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  const Vector3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
   const double ab_a = dot(ab, ax), ac_a = dot(ac, ax);
   if (ab_a <= 0.0 && ac_a <= 0.0) return {a, NearestPlace::CORNER, 0};
   const double ab_b = dot(ab, bx), ac_b = dot(ac, bx);

@@ -17,7 +17,7 @@ static constexpr double ONE_SURFACE = 0.8660254037844386;
 // a place within this of a plane is in it
 static constexpr double IN_PLANE = 1e-9;
 
-TriangleMesh::TriangleMesh(const std::vector<Vector> &corners) : bounds(), flat(0), open(0)
+TriangleMesh::TriangleMesh(const std::vector<Vector3> &corners) : bounds(), flat(0), open(0)
 {
   share_points(corners);
   join_edges();
@@ -29,7 +29,7 @@ TriangleMesh::TriangleMesh(const std::vector<Vector> &corners) : bounds(), flat(
 }
 
 // corners with the same three numbers are one point
-void TriangleMesh::share_points(const std::vector<Vector> &corners)
+void TriangleMesh::share_points(const std::vector<Vector3> &corners)
 {
   std::vector<int> order(corners.size()), point(corners.size());
   std::iota(order.begin(), order.end(), 0);
@@ -41,7 +41,7 @@ void TriangleMesh::share_points(const std::vector<Vector> &corners)
     point[k] = static_cast<int>(points.size()) - 1;
   }
   for (std::size_t k = 0; k + 2 < corners.size(); k += 3) {
-    const Vector out = cross(corners[k + 1] - corners[k], corners[k + 2] - corners[k]);
+    const Vector3 out = cross(corners[k + 1] - corners[k], corners[k + 2] - corners[k]);
     if (dot(out, out) > 0.0)
       triangles.push_back({point[k], point[k + 1], point[k + 2]});
     else
@@ -99,22 +99,22 @@ void TriangleMesh::turn_outwards()
   }
 }
 
-Vector TriangleMesh::normal(int t) const
+Vector3 TriangleMesh::normal(int t) const
 {
   const auto &of = triangles[t];
-  const Vector out = cross(points[of[1]] - points[of[0]], points[of[2]] - points[of[0]]);
+  const Vector3 out = cross(points[of[1]] - points[of[0]], points[of[2]] - points[of[0]]);
   return add_scaled({}, 1.0 / std::sqrt(dot(out, out)), out);
 }
 
 void TriangleMesh::find_normals()
 {
-  at_points.assign(points.size(), Vector{});
+  at_points.assign(points.size(), Vector3{});
   for (int t = 0; t < size(); t++)
     for (int k = 0; k < 3; k++) {
       const int at = triangles[t][k];
-      const Vector one = points[triangles[t][(k + 1) % 3]] - points[at],
-                   two = points[triangles[t][(k + 2) % 3]] - points[at];
-      const Vector across = cross(one, two);
+      const Vector3 one = points[triangles[t][(k + 1) % 3]] - points[at],
+                    two = points[triangles[t][(k + 2) % 3]] - points[at];
+      const Vector3 across = cross(one, two);
       const double angle = std::atan2(std::sqrt(dot(across, across)), dot(one, two));
       at_points[at] = add_scaled(at_points[at], angle, normal(t));
     }
@@ -136,18 +136,18 @@ void TriangleMesh::fill_tree()
 
 /* ---------------------------------------------------------------------- */
 
-NearestPlace TriangleMesh::nearest_place_of(int t, const Vector &x) const
+NearestPlace TriangleMesh::nearest_place_of(int t, const Vector3 &x) const
 {
   const auto &of = triangles[t];
   return nearest_place(x, points[of[0]], points[of[1]], points[of[2]]);
 }
 
-void TriangleMesh::contacts(const Vector &x, double reach, std::vector<Contact> &out) const
+void TriangleMesh::contacts(const Vector3 &x, double reach, std::vector<Contact> &out) const
 {
   std::vector<Contact> all;
   tree.search(x, reach * reach, [&](int t, double &reach2) {
     const auto near = nearest_place_of(t, x);
-    const Vector del = near.place - x;
+    const Vector3 del = near.place - x;
     const double r2 = dot(del, del);
     if (r2 < reach2) all.push_back({near.place, std::sqrt(r2), t, near.on, near.which});
   });
@@ -156,7 +156,7 @@ void TriangleMesh::contacts(const Vector &x, double reach, std::vector<Contact> 
   });
   out.clear();
   for (auto contact = all.begin(); contact != all.end(); ++contact) {
-    const Vector del = contact->place - x;
+    const Vector3 del = contact->place - x;
     const auto is_one_with = [&](const Contact &nearer) {
       const double along = dot(del, nearer.place - x);
       return along >= (1.0 - IN_PLANE) * nearer.r * nearer.r ||
@@ -191,7 +191,7 @@ bool TriangleMesh::is_beside(int t, int other) const
   return exists(t) && exists(other) && std::fabs(dot(normal(t), normal(other))) > ONE_SURFACE;
 }
 
-Vector TriangleMesh::normal_at(const Contact &contact) const
+Vector3 TriangleMesh::normal_at(const Contact &contact) const
 {
   const int t = contact.triangle;
   if (contact.on == NearestPlace::CORNER) return at_points[triangles[t][contact.which]];
@@ -199,18 +199,18 @@ Vector TriangleMesh::normal_at(const Contact &contact) const
   return add_scaled(normal(t), 1.0, normal(neighbours[t][contact.which]));
 }
 
-bool TriangleMesh::is_behind(const Vector &x, const Contact &nearest) const
+bool TriangleMesh::is_behind(const Vector3 &x, const Contact &nearest) const
 {
   return dot(x - nearest.place, normal_at(nearest)) <= 0.0;
 }
 
-bool TriangleMesh::is_inside(const Vector &x) const
+bool TriangleMesh::is_inside(const Vector3 &x) const
 {
   if (triangles.empty() || bounds.distance2(x) > 0.0) return false;
   Contact nearest{};
   tree.search(x, std::numeric_limits<double>::infinity(), [&](int t, double &reach2) {
     const auto near = nearest_place_of(t, x);
-    const Vector del = near.place - x;
+    const Vector3 del = near.place - x;
     const double r2 = dot(del, del);
     if (r2 >= reach2) return;
     reach2 = r2;

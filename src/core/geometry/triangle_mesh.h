@@ -33,14 +33,14 @@ namespace POTDEM {
 class TriangleMesh {
  public:
   struct Contact {
-    Vector place;
+    Vector3 place;
     double r;    // distance
     int triangle, on, which;
   };
 
   // three corners for each triangle; those without an area are left out. If closed, they are made to run such that normals
   // point outwards
-  explicit TriangleMesh(const std::vector<Vector> &corners);
+  explicit TriangleMesh(const std::vector<Vector3> &corners);
 
   int size() const { return static_cast<int>(triangles.size()); }
   int left_out() const { return flat; }
@@ -50,30 +50,30 @@ class TriangleMesh {
   double volume() const;    // if closed
 
   // where a sphere around x may touch, the nearest first, each a contact of its own
-  void contacts(const Vector &x, double reach, std::vector<Contact> &) const;
+  void contacts(const Vector3 &x, double reach, std::vector<Contact> &) const;
   // if closed; a place on the surface is inside
-  bool is_inside(const Vector &x) const;
-  bool is_behind(const Vector &x, const Contact &nearest) const;
+  bool is_inside(const Vector3 &x) const;
+  bool is_behind(const Vector3 &x, const Contact &nearest) const;
   // is the angle between two triangles, in their directions, less than that of two surfaces? any numbers, as from a file
   bool is_beside(int triangle, int other) const;
 
  private:
   typedef std::array<int, 3> Triangle;
-  std::vector<Vector> points;
+  std::vector<Vector3> points;
   std::vector<Triangle> triangles, neighbours;    // points; over edge k, -1: none
-  std::vector<Vector> at_points;                  // normals, if closed
+  std::vector<Vector3> at_points;                 // normals, if closed
   TriangleTree tree;
   Box bounds;
   int flat, open;
 
-  void share_points(const std::vector<Vector> &corners);
+  void share_points(const std::vector<Vector3> &corners);
   void join_edges();
   void turn_outwards();
   void find_normals();
   void fill_tree();
-  Vector normal(int triangle) const;    // of length one
-  NearestPlace nearest_place_of(int triangle, const Vector &x) const;
-  Vector normal_at(const Contact &) const;
+  Vector3 normal(int triangle) const;    // of length one
+  NearestPlace nearest_place_of(int triangle, const Vector3 &x) const;
+  Vector3 normal_at(const Contact &) const;
   bool goes_nearer(const Contact &, const Contact &other) const;
 };
 

@@ -25,7 +25,7 @@ void TriangleTree::halve(const std::vector<Box> &boxes, int begin, int end)
   auto &box = nodes[mine].box;
   for (int k = begin; k < end; k++) box.include(boxes[order[k]]);
   if (end - begin <= LEAF) return;
-  const Vector size = box.hi - box.lo;
+  const Vector3 size = box.hi - box.lo;
   const int axis = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   const int middle = begin + (end - begin) / 2;
   const auto before = [&boxes, axis](int a, int b) {

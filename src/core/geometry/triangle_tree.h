@@ -18,7 +18,7 @@
 namespace POTDEM {
 
 struct Box {
-  Vector lo, hi;
+  Vector3 lo, hi;
 
   void include(const Box &other)
   {
@@ -27,7 +27,7 @@ struct Box {
       hi[k] = std::max(hi[k], other.hi[k]);
     }
   }
-  double distance2(const Vector &x) const
+  double distance2(const Vector3 &x) const
   {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -43,7 +43,7 @@ class TriangleTree {
   void build(const std::vector<Box> &);    // of triangles 0, 1, ...
 
   // visit(triangle, reach2) of those whose box is within reach, the near ones first; it may make reach2, the square, smaller
-  template <class Visit> void search(const Vector &x, double reach2, const Visit &visit) const;
+  template <class Visit> void search(const Vector3 &x, double reach2, const Visit &visit) const;
 
  private:
   static constexpr int LEAF = 4;      // triangles at most in a box that is not halved
@@ -65,7 +65,7 @@ class TriangleTree {
 };
 
 template <class Visit>
-void TriangleTree::search(const Vector &x, double reach2, const Visit &visit) const
+void TriangleTree::search(const Vector3 &x, double reach2, const Visit &visit) const
 {
   if (nodes.empty()) return;
   Pending pending[DEPTH];

@@ -58,6 +58,8 @@ template <class Law> class BondPotdem : public BondPotdemBase {
     const double *inverse_length2, *half_modulus, *dashpot, *scale;
     const POTDEM::Strength *strength;
     const typename Law::Kernel *kernel;
+    const double *const *roots, *weight_here,
+        *weight_there;    // of the volume term; roots null: none
     double (*f)[3];
     bool energy, virial, of_atoms;    // asked for, perhaps of each atom
 

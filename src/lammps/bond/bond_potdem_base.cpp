@@ -45,9 +45,9 @@ static double distance2(const double *a, const double *b)
 /* ---------------------------------------------------------------------- */
 
 BondPotdemBase::BondPotdemBase(LAMMPS *lmp, const std::string &name, int nstate) :
-    Bond(lmp), name(name), style("bond_style " + name), bonds(lmp, nstate), any_penetration(false),
-    damped(false), ledger(nullptr), history(nullptr), lost(false), monitor(nullptr), generation(-1),
-    new_bonds(true)
+    Bond(lmp), name(name), style("bond_style " + name), bonds(lmp, nstate), volume(lmp, bonds),
+    any_penetration(false), damped(false), ledger(nullptr), history(nullptr), lost(false),
+    monitor(nullptr), generation(-1), new_bonds(true)
 {
   potdem_needs_setup(lmp);
   partial_flag = 1;
@@ -156,14 +156,16 @@ void BondPotdemBase::reinit()
 void BondPotdemBase::find_needs()
 {
   any_penetration = damped = false;
-  std::vector<double> moduli(atom->nbondtypes + 1, 0.0);
+  std::vector<double> moduli(atom->nbondtypes + 1, 0.0), volume_moduli = moduli;
   for (int type = 1; type <= atom->nbondtypes; type++) {
     if (!owns(type)) continue;
     make_kernel(type);
     moduli[type] = modulus(type);
+    volume_moduli[type] = beside[type].area.volume_modulus(modulus(type));
     if (has_penetration(type)) any_penetration = true;
     if (beside[type].xi > 0.0 && !potdem_minimizes(lmp)) damped = true;
   }
+  volume.begin(volume_moduli);
   strengths.begin(moduli);
   for (const auto *criterion : potdem_find<FailureCriterion>(lmp))
     criterion->give_strengths_to(strengths);
@@ -259,15 +261,16 @@ void BondPotdemBase::pack()
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) pack_bond(i, n);
   bonds.take_state(*history);
+  volume.take(*history);
 }
 
 void BondPotdemBase::pack_bond(int i, int n)
 {
   const int j = bonds.partner[n], type = bonds.type[n];
   const int slot = history->slot(i, atom->tag[j]);
+  check_solid(i, slot, type);
   const double re = history->length(i, slot);
-  const double dbar = atom->radius[i] + atom->radius[j];
-  const double EA = modulus(type) * beside[type].area.section(*history, i, slot, dbar);
+  const double EA = modulus(type) * section(type, i, j, slot);
   bonds.inverse_length2[n] = 1.0 / (re * re);
   bonds.half_modulus[n] = 0.5 * EA;
   if (j >= atom->nlocal) check_reach(i, j, re);
@@ -278,6 +281,18 @@ void BondPotdemBase::pack_bond(int i, int n)
   if (!damped) return;
   const double mi = atom->rmass[i], mj = atom->rmass[j];
   bonds.dashpot[n] = POTDEM::dashpot(beside[type].xi, EA / re, force->mvv2e * mi * mj / (mi + mj));
+}
+
+// sections and weights belong together, and to the nu that they were found for
+void BondPotdemBase::check_solid(int i, int slot, int type) const
+{
+  const double found = history->dilatation(i, slot).solid;
+  const auto &area = beside[type].area;
+  if (found == (area.has_volume_term() ? 1.0 + area.poisson() : 0.0)) return;
+  error->one(FLERR,
+             "{}: the sections of bond type {} were found for nu = {:g}, and bond_coeff says {:g}: "
+             "they stay as long as the bonds do, so give that nu, or make the bonds anew",
+             style, type, found > 0.0 ? found - 1.0 : POTDEM::areas::POISSON, area.poisson());
 }
 
 // before the bond's far end leaves the ghosts and LAMMPS can only say that an atom is missing
@@ -327,6 +342,7 @@ void BondPotdemBase::compute(int eflag, int vflag)
 int BondPotdemBase::begin_work()
 {
   follow_lists();
+  if (volume.exists()) volume.find_dilatations(*history);
   return atom->nlocal;
 }
 
@@ -383,8 +399,20 @@ void BondPotdemBase::tally(const ThreadShare &, int i, int j, double of_bond, do
   ev_tally(i, j, atom->nlocal, 0, of_bond, -pull, del[0], del[1], del[2]);
 }
 
-void BondPotdemBase::cut(int i, tagint partner)
+void BondPotdemBase::expect_cut(int i, tagint partner)
 {
+  const int slot = history->slot(i, partner), type = atom->bond_type[i][slot];
+  if (!volume.exists(type)) return;
+  const double *const far = atom->x[domain->closest_image(i, atom->map(partner))];
+  const double re = history->length(i, slot), q = distance2(atom->x[i], far) / (re * re);
+  volume.expect_cut(i, type, history->dilatation(i, slot).own * POTDEM::truss_strain(q));
+}
+
+void BondPotdemBase::cut(int i, tagint partner, double r2)
+{
+  const int slot = history->slot(i, partner), type = atom->bond_type[i][slot];
+  const double re = history->length(i, slot), strain = POTDEM::truss_strain(r2 / (re * re));
+  if (volume.exists(type)) volume.cut(i, type, history->dilatation(i, slot).own * strain);
   bonds.cut(i, partner, force->bond == this);
 }
 
@@ -394,6 +422,7 @@ void BondPotdemBase::cut(int i, tagint partner)
 void BondPotdemBase::add_stiffness_to(PotdemStiffness &sum, double /*ahead*/)
 {
   follow_lists();
+  const auto stiffer = volume.exists() ? volume.stiffening(*history) : std::vector<double>();
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
       const int j = bonds.partner[n];
@@ -403,6 +432,7 @@ void BondPotdemBase::add_stiffness_to(PotdemStiffness &sum, double /*ahead*/)
           evaluate(bonds.type[n], r, bonds.length(n), bonds.modulus(n), bonds.state_of(n));
       PotdemSpring spring{{}, at.stiffness, -at.force * inverse_r, 0.0, 0.0};
       for (int k = 0; k < 3; k++) spring.n[k] = inverse_r * (b[k] - a[k]);
+      if (!stiffer.empty()) spring.along *= stiffer[n];
       if (damped) spring.viscosity = bonds.dashpot[n];
       sum.add_pair(i, j, n < bonds.ghosts[i], spring);
     }
@@ -420,15 +450,29 @@ double BondPotdemBase::single(int type, double rsq, int i, int j, double &fforce
   const int slot = history->slot(owned, atom->tag[other]);
   if (slot < 0 || history->length(owned, slot) <= 0.0) return 0.0;
   const double r = sqrt(rsq), re = history->length(owned, slot);
-  const double dbar = atom->radius[i] + atom->radius[j];
-  const double area = beside[type].area.section(*history, owned, slot, dbar);
-  const auto at = evaluate(type, r, re, modulus(type) * area, state_of(owned, other, slot));
-  fforce = at.force / r;
-  svector[STRAIN] = POTDEM::truss_strain(rsq / (re * re));
-  svector[STRESS] = -at.force / area;
-  svector[SECTION] = area;
+  const auto at = own_evaluation(type, r, owned, other, slot);
+  const double strain = POTDEM::truss_strain(rsq / (re * re));
+  const double of_volume = volume.exists(type)
+      ? volume.tension(type, owned, other, history->dilatation(owned, slot))
+      : 0.0;
+  fforce = at.force / r - of_volume / (re * re);
+  svector[STRAIN] = strain;
+  svector[SECTION] = section(type, owned, other, slot);
+  svector[STRESS] = -at.force / svector[SECTION];
   svector[REFERENCE] = re;
-  return at.energy;
+  return at.energy + 0.5 * strain * of_volume;
+}
+
+double BondPotdemBase::section(int type, int i, int j, int slot) const
+{
+  return beside[type].area.section(*history, i, slot, atom->radius[i] + atom->radius[j]);
+}
+
+// without what it has of the change of volume
+POTDEM::Evaluation BondPotdemBase::own_evaluation(int type, double r, int i, int j, int slot)
+{
+  return evaluate(type, r, history->length(i, slot), modulus(type) * section(type, i, j, slot),
+                  state_of(i, j, slot));
 }
 
 const double *BondPotdemBase::state_of(int i, int j, int slot)
@@ -439,8 +483,7 @@ const double *BondPotdemBase::state_of(int i, int j, int slot)
 
 double BondPotdemBase::energy_of_bond(int type, double r2, int i, int j)
 {
-  double fforce;
-  return single(type, r2, i, j, fforce);
+  return own_evaluation(type, sqrt(r2), i, j, history->slot(i, atom->tag[j])).energy;
 }
 
 /* ----------------------------------------------------------------------
@@ -530,5 +573,5 @@ void BondPotdemBase::write_data(FILE *fp)
 
 double BondPotdemBase::memory_usage()
 {
-  return bonds.memory_usage();
+  return bonds.memory_usage() + volume.memory_usage();
 }

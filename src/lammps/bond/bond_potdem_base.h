@@ -4,7 +4,7 @@
 ------------------------------------------------------------------------- */
 
 /* What LAMMPS and the other styles see of any bond style of this package (bond_potdem.h). Its parts are the packed bonds
-   (potdem_bond_network.h), the sections (potdem_bond_area.h) and the strengths (potdem_bond_strengths.h). */
+   (potdem_bond_network.h), the sections (potdem_bond_area.h), the energy of the change of volume (potdem_volume_term.h) and the strengths (potdem_bond_strengths.h). */
 
 #ifndef LMP_BOND_POTDEM_BASE_H
 #define LMP_BOND_POTDEM_BASE_H
@@ -13,6 +13,7 @@
 #include "lammps/bond/potdem_bond_area.h"
 #include "lammps/bond/potdem_bond_network.h"
 #include "lammps/bond/potdem_bond_strengths.h"
+#include "lammps/bond/potdem_volume_term.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_law_io.h"
 
@@ -56,7 +57,9 @@ class BondPotdemBase :
   bool owns(int type) const override;
   const std::vector<Overstretched> &overstretched() const override { return over; }
   double energy_of_bond(int type, double r2, int i, int j) override;
-  void cut(int i, tagint partner) override;
+  void expect_cut(int i, tagint partner) override;
+  void cut(int i, tagint partner, double r2) override;
+  double freed_energy(int type) override { return volume.freed_energy(type); }
 
  protected:
   std::string name, style;    // potdem/..., bond_style potdem/...
@@ -69,6 +72,7 @@ class BondPotdemBase :
   std::vector<BesideLaw> beside;
 
   PotdemBondNetwork bonds;
+  PotdemVolumeTerm volume;
   BondStrengths strengths;
   bool any_penetration, damped;
   class FixPotdemLedger *ledger;    // null: no compute potdem/energy
@@ -154,6 +158,9 @@ class BondPotdemBase :
   void check_reach(int i, int j, double re) const;
   void measure_new_bonds();
   void find_areas();
+  double section(int type, int i, int j, int slot) const;
+  POTDEM::Evaluation own_evaluation(int type, double r, int i, int j, int slot);
+  void check_solid(int i, int slot, int type) const;
   const double *state_of(int i, int j, int slot);
   [[noreturn]] void collapsed(int i, int j) const;
   void suspect(int i, int n);

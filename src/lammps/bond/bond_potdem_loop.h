@@ -10,6 +10,7 @@
 #define LMP_BOND_POTDEM_LOOP_H
 
 #include "core/laws/four.h"
+#include "core/laws/truss.h"
 #include "lammps/bond/bond_potdem.h"
 #include "lammps/output/fix_potdem_ledger.h"
 #include "lammps/output/fix_potdem_monitor.h"
@@ -75,8 +76,10 @@ BondPotdem<Law>::Inputs::Inputs(BondPotdem &style, double **forces) :
     inverse_length2(style.bonds.inverse_length2.data()),
     half_modulus(style.bonds.half_modulus.data()), dashpot(style.bonds.dashpot.data()),
     scale(style.bonds.strength.data()), strength(style.strengths.of_types()),
-    kernel(style.kernels.data()), f((double (*)[3]) forces[0]), energy(style.eflag_either),
-    virial(style.vflag_either), of_atoms(style.eflag_atom || style.vflag_atom)
+    kernel(style.kernels.data()), roots(style.volume.roots()),
+    weight_here(style.volume.weights_here()), weight_there(style.volume.weights_there()),
+    f((double (*)[3]) forces[0]), energy(style.eflag_either), virial(style.vflag_either),
+    of_atoms(style.eflag_atom || style.vflag_atom)
 {
 }
 
@@ -162,10 +165,17 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take(const Inputs &in, ThreadShare 
   const double load = potdem_bond_load<PENETRATION, Law>(in.kernel[type], q, state);
   const double scale = FAIL == BondStrengths::BY_BOND ? in.scale[n] : 1.0;
   if (FAIL && in.strength[type].reached_by(load, scale)) share.over.push_back({i, j, type});
-  double pull = in.half_modulus[n] * load * inverse_r;
+  double pull = in.half_modulus[n] * load * inverse_r, of_volume = 0.0;
+  if (in.roots)
+    if (const double *const root = in.roots[type]) {
+      const double of_ends = root[i] * in.weight_here[n] + root[j] * in.weight_there[n];
+      pull += of_ends * in.inverse_length2[n];
+      of_volume = 0.5 * POTDEM::truss_strain(q) * of_ends;
+    }
   if (EV) {
-    const double energy =
-        in.energy ? potdem_bond_energy<Law>(in.kernel[type], r, q, in.half_modulus[n], state) : 0.0;
+    const double energy = in.energy
+        ? potdem_bond_energy<Law>(in.kernel[type], r, q, in.half_modulus[n], state) + of_volume
+        : 0.0;
     if (in.of_atoms)
       tally(share, i, j, energy, pull, del);
     else
@@ -209,10 +219,19 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take_four(const Inputs &in, const T
 
   const Four r = POTDEM::square_root(r2), inverse_r = 1.0 / r;
   const Four half_modulus = POTDEM::read_vector<Four>(in.half_modulus + n);
-  Four pull = half_modulus * load * inverse_r;
+  Four pull = half_modulus * load * inverse_r, of_volume{};
+  if (in.roots)
+    if (const double *const root = in.roots[type]) {
+      const Four there = {root[partner[0]], root[partner[1]], root[partner[2]], root[partner[3]]};
+      const Four of_ends = root[i] * POTDEM::read_vector<Four>(in.weight_here + n) +
+          there * POTDEM::read_vector<Four>(in.weight_there + n);
+      pull += of_ends * POTDEM::read_vector<Four>(in.inverse_length2 + n);
+      of_volume = 0.5 * POTDEM::truss_strain(q) * of_ends;
+    }
   if constexpr (EV) {
-    const Four energy =
-        in.energy ? potdem_bond_energy<Law>(in.kernel[type], r, q, half_modulus, nullptr) : Four{};
+    const Four energy = in.energy
+        ? potdem_bond_energy<Law>(in.kernel[type], r, q, half_modulus, nullptr) + of_volume
+        : Four{};
     if (in.of_atoms)
       for (int m = 0; m < 4; m++) {
         const double apart[3] = {del.x[m], del.y[m], del.z[m]};

@@ -200,6 +200,7 @@ void FixPotdemFailure::decide()
 {
   if (generation != history->generation) follow_lists();
   pending.clear();
+  lost.energy += bonds->freed_energy(btype);
   const tagint *tag = atom->tag;
   const int nlocal = atom->nlocal;
   for (const auto &over : bonds->overstretched()) {
@@ -213,6 +214,10 @@ void FixPotdemFailure::decide()
                        j < nlocal ? comm->me : owner[j - nlocal]});
   }
   if (!told.empty()) tell();
+  for (const auto &doomed : pending) {
+    if (owns(doomed.low)) bonds->expect_cut(atom->map(doomed.low), doomed.high);
+    if (owns(doomed.high)) bonds->expect_cut(atom->map(doomed.high), doomed.low);
+  }
 }
 
 // the ranks that this one shares bonds of the type with
@@ -274,7 +279,7 @@ void FixPotdemFailure::post_integrate()
     // a pair within reach of its contact law remembers the distance, at which the law will begin
     const double contact = gap < 0.0 ? r : 0.0;
     if (owns(doomed.low)) record(describe(doomed, apart[k], contact));
-    remove(doomed);
+    remove(doomed, apart[k].r2);
     if (gap < 2.0 * neighbor->skin) history->parted.add(doomed.low, doomed.high);
     begun.push_back({doomed.low, doomed.high, contact});
   }
@@ -366,13 +371,13 @@ void FixPotdemFailure::record(const Failure &failure)
    wherever this rank holds the bond, for good
 ------------------------------------------------------------------------- */
 
-void FixPotdemFailure::remove(const Doomed &doomed)
+void FixPotdemFailure::remove(const Doomed &doomed, double r2)
 {
   const tagint tags[2] = {doomed.low, doomed.high};
   for (int end = 0; end < 2; end++) {
     if (!owns(tags[end])) continue;
     const int i = atom->map(tags[end]);
-    bonds->cut(i, tags[1 - end]);
+    bonds->cut(i, tags[1 - end], r2);
     history->remove(i, history->slot(i, tags[1 - end]));
   }
   add_broken_bond(atom->map(tags[0]), atom->map(tags[1]));

@@ -90,7 +90,7 @@ class FixPotdemFailure :
   void record(const Failure &);
   void find_bonds();
   void warn_if_idle();
-  void remove(const Doomed &);
+  void remove(const Doomed &, double r2);
   Totals totals();
   void count_bonds();
 };

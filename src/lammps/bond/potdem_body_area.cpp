@@ -42,8 +42,9 @@ void PotdemBodyArea::Halo::sum(double *values, int n)
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemBodyArea::solve(int type, double density)
+void PotdemBodyArea::solve(int type, double density, const POTDEM::Elasticity &elasticity)
 {
+  body.elasticity = elasticity;
   const double began = platform::walltime();
   bigint counts[2] = {collect(type) ? 1 : 0, 0}, all[2];
   for (const auto &bond : body.bonds) counts[1] += bond.low < body.nowned;
@@ -112,11 +113,20 @@ void PotdemBodyArea::give_volumes(double density)
 void PotdemBodyArea::keep() const
 {
   for (const auto &bond : body.bonds)
-    for (const int end : {bond.low, bond.high}) {
-      if (end >= atom->nlocal) continue;
-      const int other = end == bond.low ? bond.high : bond.low;
-      history->store_area(end, history->slot(end, atom->tag[other]), bond.area);
-    }
+    for (int end = 0; end < 2; end++) keep(bond, end);
+}
+
+void PotdemBodyArea::keep(const POTDEM::BondedBody::Bond &bond, int end) const
+{
+  const int i = end == 0 ? bond.low : bond.high, j = end == 0 ? bond.high : bond.low;
+  if (i >= atom->nlocal) return;
+  const int slot = history->slot(i, atom->tag[j]);
+  history->store_area(i, slot, bond.area);
+  if (!body.elasticity.has_volume_term()) return;
+  history->store_dilatation(i, slot,
+                            {sqrt(body.volume[i]) * bond.dilatation[end],
+                             sqrt(body.volume[j]) * bond.dilatation[1 - end],
+                             1.0 + body.elasticity.poisson});
 }
 
 void PotdemBodyArea::report(const POTDEM::BodyAreaReport &found, int type, bigint count,

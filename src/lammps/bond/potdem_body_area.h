@@ -4,7 +4,7 @@
 ------------------------------------------------------------------------- */
 
 /* `area body`: hands LAMMPS's particles and the new bonds of one type to core/areas/body_area.h and puts
-   the areas into the bond store. */
+   the areas into the bonds' memory, and where there is a volume term the bonds' weights in it. */
 
 #ifndef LMP_POTDEM_BODY_AREA_H
 #define LMP_POTDEM_BODY_AREA_H
@@ -22,7 +22,7 @@ class PotdemBodyArea : protected Pointers {
   PotdemBodyArea(LAMMPS *, class FixPotdemBondHistory *, const std::string &style);
 
   // density: V = m/density for each particle; 0: from the cells of the inner particles
-  void solve(int type, double density);
+  void solve(int type, double density, const POTDEM::Elasticity &);
 
  private:
   struct Halo : public POTDEM::BodyHalo {
@@ -40,6 +40,7 @@ class PotdemBodyArea : protected Pointers {
   bool collect(int type);
   void give_volumes(double density);
   void keep() const;
+  void keep(const POTDEM::BondedBody::Bond &, int end) const;
   void report(const POTDEM::BodyAreaReport &, int type, bigint count, double seconds) const;
 };
 

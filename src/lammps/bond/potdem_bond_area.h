@@ -3,11 +3,13 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* The section of the bonds of a type, `area factor a | area lattice | area body [density rho]`: read, written, found for
+/* The section of the bonds of a type, `area factor a | area lattice | [nu x] area body [density rho]`: read, written, found for
    new bonds, and looked up for one of them. */
 
 #ifndef LMP_POTDEM_BOND_AREA_H
 #define LMP_POTDEM_BOND_AREA_H
+
+#include "core/areas/elasticity.h"
 
 #include <string>
 
@@ -26,9 +28,18 @@ class PotdemBondArea {
   // of a bond of owned atom i between particles of mean diameter dbar
   double section(const FixPotdemBondHistory &, int i, int slot, double dbar) const;
 
+  bool has_volume_term() const { return elasticity.has_volume_term(); }
+  // kappa of the energy of the change of volume, of a solid of modulus E
+  double volume_modulus(double E) const
+  {
+    return E * elasticity.bonds_modulus() * elasticity.volume_modulus();
+  }
+  double poisson() const { return elasticity.poisson; }
+
  private:
   enum { FACTOR, LATTICE, BODY } mode = FACTOR;
-  double value = 0.0;    // FACTOR: a; BODY: density or 0
+  double value = 0.0;               // FACTOR: a; BODY: density or 0
+  POTDEM::Elasticity elasticity;    // another than that of bonds alone: BODY
 };
 
 }    // namespace LAMMPS_NS

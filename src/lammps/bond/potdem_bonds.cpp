@@ -352,14 +352,17 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     int i, type;
     tagint partner;
     double length, area;
+    FixPotdemBondHistory::Dilatation dilatation;
   };
   std::vector<OldBond> old;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++)
       old.push_back({i, atom->bond_type[i][m], atom->bond_atom[i][m],
-                     store ? store->length(i, m) : 0.0, store ? store->area(i, m) : 0.0});
+                     store ? store->length(i, m) : 0.0, store ? store->area(i, m) : 0.0,
+                     store ? store->dilatation(i, m) : FixPotdemBondHistory::Dilatation{}});
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
   const bool keeps_areas = store && store->keeps_areas();
+  const bool keeps_dilatations = store && store->keeps_dilatations();
   const auto known = store ? store->new_contacts : std::vector<PotdemNewContact>();
   if (store) modify->delete_fix(store->id);
 
@@ -368,6 +371,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
 
   store = FixPotdemBondHistory::create(lmp);
   if (keeps_areas) store->keep_areas();
+  if (keeps_dilatations) store->keep_dilatations();
   store->ghost_cutoff = ghost_cutoff;
   store->new_contacts = known;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
@@ -377,6 +381,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     atom->bond_atom[i][m] = bond.partner;
     store->store(i, m, bond.length);
     if (keeps_areas) store->store_area(i, m, bond.area);
+    if (keeps_dilatations) store->store_dilatation(i, m, bond.dilatation);
   }
 }
 

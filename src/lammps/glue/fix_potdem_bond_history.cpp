@@ -32,7 +32,8 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-static constexpr char STORE_ID[] = "POTDEM_BONDS", AREAS_ID[] = "POTDEM_BONDS_AREAS";
+static constexpr char STORE_ID[] = "POTDEM_BONDS", AREAS_ID[] = "POTDEM_BONDS_AREAS",
+                      DILATATIONS_ID[] = "POTDEM_BONDS_DILATATIONS";
 // of the longest bond, so that not each rebuild begins twice; and what is less than this of the reach there is counts as
 // shorter
 static constexpr double SPARE_REACH = 1.05, LEAST_CHANGE = 0.9;
@@ -86,23 +87,30 @@ std::string FixPotdemBondValues::gone() const
 std::string FixPotdemBondHistory::gone() const
 {
   const std::string mine = FixPotdemBondValues::gone();
-  if (!mine.empty() || !areas) return mine;
-  return modify->get_fix_by_id(AREAS_ID) == areas ? areas->gone() : AREAS_ID;
+  if (!mine.empty()) return mine;
+  for (const auto &[one, id_of_fix] :
+       {std::pair(areas, AREAS_ID), std::pair(dilatations, DILATATIONS_ID)}) {
+    if (!one) continue;
+    const std::string lost = modify->get_fix_by_id(id_of_fix) == one ? one->gone() : id_of_fix;
+    if (!lost.empty()) return lost;
+  }
+  return "";
 }
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
     FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
-    widest(0.0), areas(nullptr), all_types(atom->nbondtypes + 1, 1), exchanged(nullptr),
-    exchanged_width(0), natoms_then(atom->natoms)
+    widest(0.0), areas(nullptr), dilatations(nullptr), all_types(atom->nbondtypes + 1, 1),
+    exchanged(nullptr), exchanged_width(0), natoms_then(atom->natoms)
 {
   setflag = all_types.data();
 }
 
 FixPotdemBondHistory::~FixPotdemBondHistory()
 {
-  if (modify->get_fix_by_id(AREAS_ID)) modify->delete_fix(AREAS_ID);
+  for (const auto *const id_of_fix : {AREAS_ID, DILATATIONS_ID})
+    if (modify->get_fix_by_id(id_of_fix)) modify->delete_fix(id_of_fix);
   if (!force) return;    // LAMMPS ends
   for (auto *const bond : potdem_find<BondMemory>(lmp)) bond->lose_memory();
 }
@@ -321,15 +329,39 @@ void FixPotdemBondHistory::store(int i, int m, double length)
   update_atom_value(i, m, LENGTH, length);
   std::fill_n(state(i, m), NSTATE, 0.0);
   if (areas) store_area(i, m, 0.0);
+  if (dilatations) store_dilatation(i, m, {});
 }
 
 // before any bond of a type whose areas are found is computed. The style must not have the name of this one in its own: when a plugin
 // goes, LAMMPS deletes its fixes by patterns of their styles
+FixPotdemBondValues *FixPotdemBondHistory::values_of(const char *id_of_fix, int columns)
+{
+  return dynamic_cast<FixPotdemBondValues *>(
+      modify->add_fix(fmt::format("{} all POTDEM_AREA_BOND_HISTORY 0 {}", id_of_fix, columns)));
+}
+
 void FixPotdemBondHistory::keep_areas()
 {
-  if (areas) return;
-  areas = dynamic_cast<FixPotdemBondValues *>(
-      modify->add_fix(fmt::format("{} all POTDEM_AREA_BOND_HISTORY 0 1", AREAS_ID)));
+  if (!areas) areas = values_of(AREAS_ID, 1);
+}
+
+void FixPotdemBondHistory::keep_dilatations()
+{
+  if (!dilatations) dilatations = values_of(DILATATIONS_ID, 3);
+}
+
+void FixPotdemBondHistory::store_dilatation(int i, int slot, const Dilatation &one)
+{
+  dilatations->update_atom_value(i, slot, 0, one.own);
+  dilatations->update_atom_value(i, slot, 1, one.other);
+  dilatations->update_atom_value(i, slot, 2, one.solid);
+}
+
+FixPotdemBondHistory::Dilatation FixPotdemBondHistory::dilatation(int i, int slot) const
+{
+  if (!dilatations) return {};
+  return {dilatations->get_atom_value(i, slot, 0), dilatations->get_atom_value(i, slot, 1),
+          dilatations->get_atom_value(i, slot, 2)};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -478,6 +510,8 @@ std::vector<double> FixPotdemBondHistory::ends_and_sum() const
       mine.add(values()[i] + m * NDATA, NDATA);
       const double area_found = area(i, m);
       mine.add(&area_found, 1);
+      const auto part = dilatation(i, m);
+      if (dilatations) mine.add(&part.own, 3);
     }
   return {static_cast<double>(mine.count(world)), mine.value(world)};
 }

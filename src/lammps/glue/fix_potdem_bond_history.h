@@ -4,7 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* What a bond remembers: its reference length and what its law keeps of it, in LAMMPS's own FixBondHistory (which carries
-   them through exchange, sorting and restart); its area in another one, only where areas are found. A bond that fails is
+   them through exchange, sorting and restart); its area in another one, only where areas are found, and its part in the change of
+   volume in a third one, only where Poisson's ratio is given. A bond that fails is
    gone, from here and from LAMMPS's lists. Created by potdem_bonds or a bond style, one per simulation. */
 
 #ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
@@ -65,6 +66,16 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   bool keeps_areas() const { return areas; }
   void store(int i, int slot, double length);
   void store_area(int i, int slot, double area) { areas->update_atom_value(i, slot, 0, area); }
+  // what a bond counts in the dilatations of its own atom and of the other one (core/areas/dilatation.h), times the roots of their
+  // volumes, and 1 + nu of the solid that it is of; 0: none is found
+  struct Dilatation {
+    double own, other, solid;
+  };
+  void keep_dilatations();
+  bool keeps_dilatations() const { return dilatations; }
+  void store_dilatation(int i, int slot, const Dilatation &);
+  Dilatation dilatation(int i, int slot) const;
+
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double area(int i, int slot) const { return areas ? areas->get_atom_value(i, slot, 0) : 0.0; }
   double *state(int i, int slot) const { return &values()[i][slot * NDATA + STATE]; }
@@ -94,8 +105,8 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   void reach_at_most(double cutoff);
 
  private:
-  FixPotdemBondValues *areas;    // null where none are found
-  std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
+  FixPotdemBondValues *areas, *dilatations;    // null where none are found
+  std::vector<int> all_types;                  // FixBondHistory asks which types it serves: all
   double *exchanged;
   int exchanged_width;
   bigint natoms_then;    // particles in the simulation when bonds were looked at last
@@ -104,6 +115,7 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   std::vector<double> in_file;
 
   double **values() const;
+  FixPotdemBondValues *values_of(const char *id_of_fix, int columns);
   std::vector<double> ends_and_sum() const;
   void check_values();
   double longest_new_bond() const;

@@ -99,9 +99,14 @@ class BreakableBonds : public Interface {
     int i, j, type;    // owned atom, its partner
   };
   virtual bool owns(int type) const = 0;
-  virtual const std::vector<Overstretched> &overstretched() const = 0;    // in the last forces
-  virtual double energy_of_bond(int type, double r2, int i, int j) = 0;
-  virtual void cut(int i, tagint partner) = 0;    // no force from here on
+  virtual const std::vector<Overstretched> &overstretched() const = 0;     // in the last forces
+  virtual double energy_of_bond(int type, double r2, int i, int j) = 0;    // its own
+  // of owned atom i, for each end that this rank has: it is to go in the next step; it goes, its ends at this distance, and has no
+  // force from here on
+  virtual void expect_cut(int i, tagint partner) = 0;
+  virtual void cut(int i, tagint partner, double r2) = 0;
+  // what those that went have set free beside their own energy since the last call, on this rank
+  virtual double freed_energy(int type) = 0;
 };
 
 // asks to be told when the fix that warns is removed

@@ -17,12 +17,12 @@
 #include <stdexcept>
 
 using namespace LAMMPS_NS;
-using POTDEM::Vector;
+using POTDEM::Vector3;
 
 // binary: a title, a count, and for each triangle a normal, three corners (single precision) and two bytes
 static constexpr std::size_t TITLE = 80, BEFORE = TITLE + 4, EACH = 50, NORMAL = 12;
 
-static bool is_finite(const Vector &x)
+static bool is_finite(const Vector3 &x)
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
@@ -35,9 +35,9 @@ static bool is_binary(const std::string &content)
   return content.size() == BEFORE + EACH * count;
 }
 
-static std::vector<Vector> read_binary(const std::string &content)
+static std::vector<Vector3> read_binary(const std::string &content)
 {
-  std::vector<Vector> corners;
+  std::vector<Vector3> corners;
   for (std::size_t at = BEFORE; at < content.size(); at += EACH) {
     float numbers[9];
     std::memcpy(numbers, &content[at + NORMAL], sizeof(numbers));
@@ -51,9 +51,9 @@ static std::vector<Vector> read_binary(const std::string &content)
   return corners;
 }
 
-static Vector read_corner(const std::vector<std::string> &words)
+static Vector3 read_corner(const std::vector<std::string> &words)
 {
-  Vector x;
+  Vector3 x;
   for (int k = 0; k < 3; k++) {
     if (words.size() != 4 || !utils::is_double(words[1 + k]))
       throw std::runtime_error("'vertex' needs three numbers");
@@ -64,7 +64,7 @@ static Vector read_corner(const std::vector<std::string> &words)
 }
 
 // one line of a text: corners are taken, all else is only checked
-static void read_line(const std::string &line, std::vector<Vector> &corners)
+static void read_line(const std::string &line, std::vector<Vector3> &corners)
 {
   const auto words = utils::split_words(utils::lowercase(line));
   if (words.empty()) return;
@@ -78,9 +78,9 @@ static void read_line(const std::string &line, std::vector<Vector> &corners)
   }
 }
 
-static std::vector<Vector> read_text(const std::string &content)
+static std::vector<Vector3> read_text(const std::string &content)
 {
-  std::vector<Vector> corners;
+  std::vector<Vector3> corners;
   std::size_t number = 0;
   for (std::size_t begin = 0, end; begin < content.size(); begin = end + 1) {
     end = std::min(content.find('\n', begin), content.size());
@@ -96,7 +96,7 @@ static std::vector<Vector> read_text(const std::string &content)
   return corners;
 }
 
-std::vector<Vector> LAMMPS_NS::potdem_read_stl(const std::string &file)
+std::vector<Vector3> LAMMPS_NS::potdem_read_stl(const std::string &file)
 {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error("cannot be opened");

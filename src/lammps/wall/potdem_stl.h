@@ -18,7 +18,7 @@ namespace LAMMPS_NS {
 // three corners for each triangle; the normals in the file are not read. A text begins with the word solid, and a binary file
 // has the length that its count of triangles says.
 // Throws std::runtime_error that says what is wrong with the file, and in which line or triangle
-std::vector<POTDEM::Vector> potdem_read_stl(const std::string &file);
+std::vector<POTDEM::Vector3> potdem_read_stl(const std::string &file);
 
 }    // namespace LAMMPS_NS
 

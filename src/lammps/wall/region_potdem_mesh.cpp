@@ -16,7 +16,7 @@
 #include <exception>
 
 using namespace LAMMPS_NS;
-using POTDEM::Vector;
+using POTDEM::Vector3;
 
 // places where a sphere touches at once, each more than 30 degrees from the next; the nearest ones count
 static constexpr int MOST_CONTACTS = 12;
@@ -57,9 +57,9 @@ RegPotdemMesh::~RegPotdemMesh()
 }
 
 // on one rank, for all
-std::vector<Vector> RegPotdemMesh::read(const std::string &file) const
+std::vector<Vector3> RegPotdemMesh::read(const std::string &file) const
 {
-  std::vector<Vector> corners;
+  std::vector<Vector3> corners;
   bigint count = 0;
   if (comm->me == 0) {
     try {
@@ -127,7 +127,7 @@ int RegPotdemMesh::surface_exterior(double *x, double cutoff)
 
 int RegPotdemMesh::surface(double *x, double cutoff, bool from_inside)
 {
-  const Vector centre = {x[0], x[1], x[2]};
+  const Vector3 centre = {x[0], x[1], x[2]};
   mesh->contacts(centre, cutoff, found);
   if (found.empty()) return 0;
   if (!openflag && mesh->is_behind(centre, found[0]) != from_inside) return 0;

@@ -33,7 +33,7 @@ class RegPotdemMesh : public Region {
   std::unique_ptr<POTDEM::TriangleMesh> mesh;
   std::vector<POTDEM::TriangleMesh::Contact> found;
 
-  std::vector<POTDEM::Vector> read(const std::string &file) const;
+  std::vector<POTDEM::Vector3> read(const std::string &file) const;
   void set_extent();
   void report(const std::string &file) const;
   int surface(double *, double, bool from_inside);

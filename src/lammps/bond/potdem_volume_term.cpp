@@ -1,0 +1,213 @@
+/* ----------------------------------------------------------------------
+   POTDEM: potential-based discrete elements for LAMMPS
+   Distributed under the GNU General Public License, version 2
+------------------------------------------------------------------------- */
+
+#include "lammps/bond/potdem_volume_term.h"
+
+#include "core/laws/four.h"
+#include "core/laws/truss.h"
+#include "lammps/glue/potdem_width.h"
+
+#include "atom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace LAMMPS_NS;
+
+static constexpr int NONE = -1;
+
+PotdemVolumeTerm::PotdemVolumeTerm(LAMMPS *lmp, const PotdemBondNetwork &network) :
+    Pointers(lmp), bonds(network)
+{
+}
+
+// cut bonds have the type 0. Within a run moduli may change, and what bonds have set free stays
+void PotdemVolumeTerm::begin(const std::vector<double> &moduli)
+{
+  const auto before = std::exchange(term_of, std::vector<int>(moduli.size(), NONE));
+  int count = 0;
+  for (std::size_t type = 1; type < moduli.size(); type++)
+    if (moduli[type] != 0.0) term_of[type] = count++;
+  if (term_of != before) terms.assign(count, {});
+  for (std::size_t type = 1; type < moduli.size(); type++)
+    if (term_of[type] >= 0) terms[term_of[type]].kappa = moduli[type];
+}
+
+void PotdemVolumeTerm::take(const FixPotdemBondHistory &history)
+{
+  const int count = exists() ? bonds.size() : 0;
+  own.assign(count, 0.0);
+  other.assign(count, 0.0);
+  if (count == 0) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
+      if (term_of[bonds.type[n]] < 0) continue;
+      const auto part = history.dilatation(i, history.slot(i, atom->tag[bonds.partner[n]]));
+      own[n] = part.own;
+      other[n] = part.other;
+    }
+}
+
+void PotdemVolumeTerm::find_dilatations(FixPotdemBondHistory &history)
+{
+  for (auto &term : terms) term.root.assign(atom->nlocal + atom->nghost, 0.0);
+  root_of_type.assign(term_of.size(), nullptr);
+  for (std::size_t type = 0; type < term_of.size(); type++)
+    if (term_of[type] >= 0) root_of_type[type] = terms[term_of[type]].root.data();
+  add_strains();
+  for (auto &term : terms) {
+    for (int i = 0; i < atom->nlocal; i++) term.root[i] *= term.kappa;
+    history.forward(term.root.data(), 1);
+  }
+  free_energy();
+}
+
+PotdemVolumeTerm::Leaving &PotdemVolumeTerm::leaving_at(int i, int type)
+{
+  const int term = term_of[type];
+  const auto [begin, end] = leaving.equal_range(atom->tag[i]);
+  for (auto at = begin; at != end; ++at)
+    if (at->second.term == term) return at->second;
+  return leaving.insert({atom->tag[i], {term, terms[term].root[i], 0.0, 0.0}})->second;
+}
+
+// kappa/2 root^2 with and without them. In a step in which it has gone to another rank, a particle counts as it was before
+void PotdemVolumeTerm::free_energy()
+{
+  for (const auto &[tag, one] : leaving) {
+    if (one.now == 0.0) continue;    // expected, but the run ended
+    auto &term = terms[one.term];
+    const double half = 0.5 * term.kappa;
+    const double then = one.then * (one.root_then - half * one.then);
+    const int i = atom->map(tag);
+    const double now = i >= 0 && i < atom->nlocal ? one.now * (term.root[i] + half * one.now)
+                                                  : one.now * (one.root_then - half * one.now);
+    term.freed += 0.5 * (then + now);
+  }
+  leaving.clear();
+}
+
+double PotdemVolumeTerm::freed_energy(int type)
+{
+  return exists(type) ? std::exchange(terms[term_of[type]].freed, 0.0) : 0.0;
+}
+
+void PotdemVolumeTerm::add_strains()
+{
+#ifdef POTDEM_WIDE_CODE
+  if (potdem_width(lmp) != POTDEM::Width::PLAIN) return add_strains_avx2();
+#endif
+  add_each_strain();
+}
+
+#ifdef POTDEM_WIDE_CODE
+POTDEM_AVX2 void PotdemVolumeTerm::add_strains_avx2()
+{
+  add_each_strain();
+}
+#endif
+
+POTDEM_FUNCTION inline void PotdemVolumeTerm::add_each_strain()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int end = bonds.first[i + 1];
+    int n = bonds.first[i];
+#ifdef POTDEM_HAS_FOUR
+    n = add_four_strains(i, n, end);
+#endif
+    for (; n < end; n++) add_strain(i, n);
+  }
+}
+
+POTDEM_FUNCTION inline void PotdemVolumeTerm::add_strain(int i, int n)
+{
+  auto *const root = root_of_type[bonds.type[n]];
+  if (!root) return;
+  const double *const xi = atom->x[i], *const xj = atom->x[bonds.partner[n]];
+  const double del[3] = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
+  const double r2 = del[0] * del[0] + del[1] * del[1] + del[2] * del[2];
+  const double strain = POTDEM::truss_strain(r2 * bonds.inverse_length2[n]);
+  root[i] += own[n] * strain;
+  if (n < bonds.ghosts[i]) root[bonds.partner[n]] += other[n] * strain;
+}
+
+#ifdef POTDEM_HAS_FOUR
+// bonds n, n + 1, ... of atom i as long as there are four of the first one's type; the first that is left
+POTDEM_FUNCTION inline int PotdemVolumeTerm::add_four_strains(int i, int n, int end)
+{
+  using POTDEM::Four;
+  const auto x = (const double(*)[3]) atom->x[0];
+  const auto *const type = bonds.type.data();
+  const int *const partner = bonds.partner.data();
+  const int ghosts = bonds.ghosts[i];
+  const int first = n < end ? type[n] : 0;
+  auto *const root = root_of_type[first];
+  if (!root) return n;
+  Four here{};
+  for (; n + 4 <= end; n += 4) {
+    if ((type[n] ^ first) | (type[n + 1] ^ first) | (type[n + 2] ^ first) | (type[n + 3] ^ first))
+      break;
+    const POTDEM::Four3 del(x, partner + n, x[i]);
+    const Four strain =
+        POTDEM::truss_strain(del.dot(del) * POTDEM::read_vector<Four>(&bonds.inverse_length2[n]));
+    here += strain * POTDEM::read_vector<Four>(&own[n]);
+    const Four there = strain * POTDEM::read_vector<Four>(&other[n]);
+    if (n + 4 <= ghosts)
+      for (int m = 0; m < 4; m++) root[partner[n + m]] += there[m];
+    else
+      for (int m = 0; n + m < ghosts; m++) root[partner[n + m]] += there[m];
+  }
+  root[i] += POTDEM::sum(here);
+  return n;
+}
+#endif
+
+double PotdemVolumeTerm::tension(int type, int i, int j,
+                                 const FixPotdemBondHistory::Dilatation &part) const
+{
+  const auto &root = terms[term_of[type]].root;
+  if (std::max(i, j) >= static_cast<int>(root.size())) return 0.0;
+  return root[i] * part.own + root[j] * part.other;
+}
+
+/* ----------------------------------------------------------------------
+   With k = A E'/re of each bond, e its elongation, w/re the change of root with it: by Cauchy's inequality
+
+     root^2 = (sum w e / re)^2 <= sum (w / re)^2 / (k / 2) . sum k e^2 / 2 = chi . sum k e^2 / 2
+
+   so W is at most that of bonds that are stiffer by 1/2 kappa (chi of one end + chi of the other)
+------------------------------------------------------------------------- */
+
+std::vector<double> PotdemVolumeTerm::stiffening(FixPotdemBondHistory &history) const
+{
+  std::vector<double> factor(bonds.size(), 1.0);
+  for (std::size_t term = 0; term < terms.size(); term++) {
+    const double kappa = terms[term].kappa;
+    std::vector<double> chi(atom->nlocal + atom->nghost, 0.0);
+    const auto each = [&](const auto &work) {
+      for (int i = 0; i < atom->nlocal; i++)
+        for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++)
+          if (term_of[bonds.type[n]] == static_cast<int>(term)) work(i, n);
+    };
+    each([&](int i, int n) {
+      const double compliance = 2.0 * sqrt(bonds.inverse_length2[n]) / bonds.modulus(n);
+      chi[i] += own[n] * own[n] * compliance;
+      if (n < bonds.ghosts[i]) chi[bonds.partner[n]] += other[n] * other[n] * compliance;
+    });
+    history.forward(chi.data(), 1);
+    each([&](int i, int n) {
+      factor[n] += std::max(0.0, 0.5 * kappa * (chi[i] + chi[bonds.partner[n]]));
+    });
+  }
+  return factor;
+}
+
+double PotdemVolumeTerm::memory_usage() const
+{
+  double doubles = own.capacity() + other.capacity();
+  for (const auto &term : terms) doubles += term.root.capacity();
+  return doubles * sizeof(double);
+}
