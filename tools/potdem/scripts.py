@@ -114,12 +114,14 @@ change_box all x scale {1 + strain:.17g} y scale {1 + strain:.17g} z scale {1 + 
 
 
 def elastic(E=1000.0, area="factor 0.5", bond="", contact=None, pair_options=""):
-    """pair and bond style with the same modulus in bonds and contacts; contact: area factor of contacts"""
+    """pair and bond style with the same modulus in bonds and contacts; area: mode of the bonds' areas, or 'nu X area body'; contact: area
+    factor of contacts"""
+    areas = area if area.startswith("nu ") else f"area {area}"
     return f"""
 pair_style potdem/truss
 pair_coeff * * {E:.17g} {contact or 0.5:.17g} {pair_options}
 bond_style potdem/truss
-bond_coeff * {E:.17g} area {area} {bond}
+bond_coeff * {E:.17g} {areas} {bond}
 """
 
 

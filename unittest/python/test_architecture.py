@@ -78,7 +78,7 @@ BELOW = {
     "core/laws": set(),
     "core/stability": {"core/laws"},
     "core/contact": {"core/laws", "core/stability"},
-    "core/areas": {"core/laws"},
+    "core/areas": {"core/laws", "core/geometry"},
     "core/geometry": set(),
     "lammps/glue": {"core/laws", "core/stability"},
     "lammps/output": {"core/laws", "core/stability", "lammps/glue"},

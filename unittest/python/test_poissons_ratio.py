@@ -4,14 +4,12 @@
 """`nu x area body`: bonds and an energy of the change of volume. The solver of tools/area_constants.py gives sections and weights of the
 bonds; what LAMMPS makes of them is compared with the formulas here, what they are worth with the elastic solid."""
 
-import re
-
 import area_constants
 import numpy as np
 import pytest
 from test_area_body import HEAD, write_particles
 
-from potdem import dumps, networks, scripts
+from potdem import dumps, logs, networks, scripts
 
 E = 1000.0
 REACH = 2.0
@@ -29,17 +27,16 @@ def coeff(nu, more=""):
 def bonded(nu, more="density 1"):
     """particles.data as a solid"""
     return (HEAD + "pair_style zero 1.0\npair_coeff * *\n" + coeff(nu, more) + f"potdem_bonds all 1 {REACH} diameters\n"
-            "compute_modify thermo_temp dynamic/dof no\nthermo_modify format float %.17g\nrun 0\n")
+            "thermo_modify format float %.17g\nrun 0\n")
 
 
 BODIES = {"cubic": networks.beam("sc", 4, 7), "random": networks.packing(5, 7, spread=0.2)}
-SHAKEN = "\n".join(["displace_atoms all move v_v0 v_v1 v_v2 units box",
-                    "compute sum all reduce sum fx fy fz", "thermo_style custom step ebond c_sum[*]", "run 0", ""])
 
 
 def shaken(amplitude):
-    return scripts.velocities_by_formula(amplitude).replace("velocity all set v_vx v_vy v_vz", "").replace(
-        "variable vx", "variable v0").replace("variable vy", "variable v1").replace("variable vz", "variable v2") + SHAKEN
+    """smooth displacements that differ from particle to particle"""
+    lines = [f"variable u{i} atom {amplitude}*sin(1.3*x+{i})*cos(0.9*y-{i})*sin(1.1*z+{2 * i}+0.4)" for i in range(3)]
+    return "\n".join([*lines, "displace_atoms all move v_u0 v_u1 v_u2 units box", ""])
 
 
 def energy_and_forces(start, now, pairs, area, dilatation):
@@ -67,8 +64,8 @@ def test_energy_and_forces(run_lammps, tmp_path, solver, name, nu, nprocs):
     the rounding of other sums"""
     body = BODIES[name]
     write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
-    run = run_lammps(bonded(nu) + shaken(0.05) + scripts.write_dump("end.dump", "x y z fx fy fz") +
-                     scripts.result("ebond", "c_sum[1]", "c_sum[2]", "c_sum[3]"), nprocs=nprocs)
+    run = run_lammps(bonded(nu) + shaken(0.05) + "run 0\n" + scripts.write_dump("end.dump", "x y z fx fy fz") +
+                     scripts.result("ebond"), nprocs=nprocs)
     end = dumps.read(tmp_path / "end.dump")[-1]
     pairs = np.sort(body.pairs(REACH), axis=1)
     area, dilatation = area_constants.solve_solid(solver, body, pairs, nu)
@@ -76,6 +73,120 @@ def test_energy_and_forces(run_lammps, tmp_path, solver, name, nu, nprocs):
     assert np.abs(now - (body.x - 0.5 * body.size)).max() > 0.04
     energy, forces = energy_and_forces(body.x, now, pairs, area, dilatation)
     assert np.abs(scripts.vectors(end, "fx", "fy", "fz") - forces).max() < 1e-8 * np.abs(forces).max()
-    (found, *net), = scripts.results(run.stdout)
-    assert found == pytest.approx(energy, rel=1e-9)
-    assert np.abs(net).max() < 1e-12 * np.abs(forces).sum()
+    assert scripts.results(run.stdout)[0][0] == pytest.approx(energy, rel=1e-9)
+
+
+def test_bonds_have_their_shares(run_lammps, tmp_path):
+    """energies and forces of the bonds, energies and stresses of the particles add up to those of the whole"""
+    body = BODIES["cubic"]
+    write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
+    columns = " ".join(f"c_stress[{k}]" for k in range(1, 7))
+    run = run_lammps(bonded(0.1) + shaken(0.05) + f"""
+compute bonds all bond/local engpot force dist
+compute total all reduce sum c_bonds[1] inputs local
+compute each all pe/atom bond
+compute of_each all reduce sum c_each
+compute stress all stress/atom NULL bond
+compute of_stress all reduce sum {columns}
+compute virial all pressure NULL bond
+thermo_style custom step ebond c_total c_of_each c_of_stress[*] c_virial[*]
+dump bonds all local 1 bonds.dump c_bonds[2] c_bonds[3]
+dump_modify bonds format float %.17g
+run 0
+""" + scripts.result("ebond", "c_total", "c_of_each") + scripts.result(*[f"-c_of_stress[{k}]/vol" for k in range(1, 7)]) +
+                     scripts.result(*[f"c_virial[{k}]" for k in range(1, 7)]))
+    kinds = scripts.results_by_length(run.stdout)
+    (whole, bonds, particles), = kinds[3]
+    assert [bonds, particles] == pytest.approx([whole, whole], rel=1e-12)
+    stresses, pressures = kinds[6]
+    assert stresses == pytest.approx(pressures, rel=1e-11)
+    force, distance = dumps.read(tmp_path / "bonds.dump")[-1].values()
+    edge = 4 * np.abs(body.x - 0.5 * body.size).max() + 8    # of the box of write_particles()
+    assert (force * distance).sum() / edge**3 == pytest.approx(pressures[:3].sum(), rel=1e-11)
+
+
+def test_turned_body_is_at_rest(run_lammps, tmp_path):
+    """no force from a rotation, however large: rounding over the stiffness"""
+    body = BODIES["cubic"]
+    write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
+    run_lammps(bonded(0.42) + "displace_atoms all rotate 0 0 0 1 2 3 77\nrun 0\n" + scripts.write_dump("end.dump", "fx fy fz"))
+    assert np.abs(scripts.vectors(dumps.read(tmp_path / "end.dump")[-1], "fx", "fy", "fz")).max() < 1e-10 * E
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.1, 0.18, 0.33, 0.42, 0.49])
+def test_moduli_of_a_crystal(run_lammps, nu):
+    """periodic: C11 = lambda + 2 G, C12 = lambda, C44 = G. The pull of the areas towards their mean is 0.02 against conditions of
+    weight 1: an error of some 1e-3 of the bonds' stiffness"""
+    strain = 1e-6
+    shear, lame = E / (2 * (1 + nu)), nu * E / ((1 + nu) * (1 - 2 * nu))
+    script = scripts.box(6, "p p p") + scripts.crystal() + "pair_style zero 1.0\npair_coeff * *\n" + coeff(nu)
+    script += "potdem_bonds all 1 2.0\nthermo_style custom step pxx pyy pzz pxy\nrun 0\n"
+    stretched = script + f"change_box all x scale {1 + strain:.17g} remap units box\nrun 0\n"
+    found = -scripts.results(run_lammps(stretched + scripts.result("pxx", "pyy", "pzz")).stdout)[0] / strain
+    assert found == pytest.approx([lame + 2 * shear, lame, lame], rel=0.004, abs=0.004 * E)
+    sheared = script + f"change_box all triclinic\nchange_box all xy final {6 * strain:.17g} remap units box\nrun 0\n"
+    assert -scripts.results(run_lammps(sheared + scripts.result("pxy")).stdout)[0][0] / strain == pytest.approx(shear, abs=0.004 * E)
+
+
+# With errors not above those of nu = 1/4 by more than half: 1 % in tension, 2 % in bending, 5 % in torsion (cubic), and what docs/area.md says
+# of the others; the ratio itself from the contraction in the middle of the bar
+@pytest.mark.parametrize("nu", [0.1, 0.18, 0.33, 0.42, 0.49])
+@pytest.mark.parametrize("name, tension, bending, torsion, ratio", [("cubic", 0.01, 0.02, 0.05, 0.01), ("fcc", 0.015, 0.03, 0.05, 0.04),
+                                                                    ("random", 0.03, 0.06, 0.08, 0.035)])
+def test_stiffness_of_a_beam(solver, name, tension, bending, torsion, ratio, nu):
+    body = {"cubic": lambda: networks.beam("sc", 5, 40), "fcc": lambda: networks.beam("fcc", 5.6, 40),
+            "random": lambda: networks.packing(6, 36, spread=0.2)}[name]()
+    pairs = np.sort(body.pairs(REACH), axis=1)
+    area, dilatation = area_constants.solve_solid(solver, body, pairs, nu)
+    found = networks.measure(body, pairs, area, REACH, poisson=nu, dilatation=dilatation)
+    assert found["axial"] == pytest.approx(1.0, abs=tension)
+    assert found["bending"] == pytest.approx(1.0, abs=bending)
+    assert found["torsion"] == pytest.approx(1.0, abs=torsion)
+    assert found["poisson"] == pytest.approx(nu, abs=ratio)
+
+
+@pytest.mark.parametrize("nu", [0.1, 0.42])
+def test_critical_step(run_lammps, tmp_path, solver, nu):
+    """never above the exact one, 2 over the highest circular frequency, and not below two thirds of it"""
+    body = BODIES["cubic"]
+    write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
+    run = run_lammps(bonded(nu) + scripts.CRITICAL_STEP)
+    pairs = np.sort(body.pairs(REACH), axis=1)
+    area, dilatation = area_constants.solve_solid(solver, body, pairs, nu)
+    stretch, lengths = networks.elongations(body.x, pairs)
+    change = dilatation.matrix(pairs, lengths) @ stretch
+    matrix = networks.stiffness(body.x, pairs, area) + np.sign(dilatation.kappa) * change.T @ change
+    mass = np.repeat(body.v, 3)    # density 1
+    highest = np.linalg.eigvalsh(E * matrix.toarray() / np.sqrt(np.outer(mass, mass)))[-1]
+    exact = 2 / np.sqrt(highest)
+    assert 0.66 * exact < scripts.results(run.stdout)[-1][0] <= exact
+
+
+BREAKING = """
+fix move all nve
+fix fail all potdem/failure 1 tension {tension}
+variable v0 atom 0.03*sqrt({E})*x/8+0.01*sqrt({E})*sin(1.3*x)*cos(y)
+variable v1 atom 0.02*sqrt({E})*cos(1.1*y+z)
+variable v2 atom 0.02*sqrt({E})*sin(0.7*x+y)
+velocity all set v_v0 v_v1 v_v2
+timestep {step}
+compute ledger all potdem/energy
+thermo_style custom step c_ledger c_ledger[*] f_fail
+thermo 100
+run {steps}
+"""
+
+
+@pytest.mark.parametrize("nprocs", [1, 3])
+@pytest.mark.parametrize("nu", [0.1, 0.42])
+def test_ledger_of_a_breaking_body(run_lammps, tmp_path, nu, nprocs):
+    """what a failed bond sets free includes its part in the change of volume of its two ends: the sum stays but for the error of the
+    time integration, 2.7e-4 of it at this step, a quarter at half the step"""
+    body = networks.beam("sc", 6, 16)
+    write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
+    breaking = "log log.breaking\n" + BREAKING.format(E=E, tension=0.02 * E, step=0.05 / np.sqrt(E), steps=600)
+    run_lammps(bonded(nu) + breaking, nprocs=nprocs)
+    thermo = logs.thermo((tmp_path / "log.breaking").read_text())
+    assert thermo["f_fail"][-1] > 1000
+    ledger = thermo["c_ledger"]
+    assert np.abs(ledger / ledger[0] - 1).max() < 4e-4

@@ -24,10 +24,10 @@ SPRING = "friction 0.3 spring 0.7 damping 0.2"
 ROLLS = SPRING + " rolling 0.1 0.2 0.1 twisting 0.05 0.3 0.1"
 
 
-def block(bond="penetration 2 damping 0.05", friction=SPRING, rotation="no"):
+def block(bond="penetration 2 damping 0.05", friction=SPRING, rotation="no", area="lattice"):
     """a block that breaks on a heap of its like"""
     text = scripts.box(24) + "region body block -2 2 -1.5 1.5 -4 4\n" + scripts.crystal(region="body")
-    text += scripts.elastic(100.0, area="lattice", bond=bond, contact=0.4, pair_options=friction)
+    text += scripts.elastic(100.0, area=area, bond=bond, contact=0.4, pair_options=friction)
     text = replaced(text, "pair_style potdem/truss\n", f"pair_style potdem/truss rotation {rotation}\n")
     return text + "potdem_bonds all 1 1.42\nvelocity all ramp vz -1.2 1.2 z -4 4\nvelocity all ramp vx -0.1 0.12 y -1.5 1.5 sum yes\n"
 
@@ -83,6 +83,7 @@ PACE = "fix pace all potdem/timestep 7 0.3 max 0.02"
 
 SCENES = {
     "elastic": (block(bond="", friction=""), of_block(damping="")),
+    "another Poisson's ratio": (block(bond="", friction="", area="nu 0.1 area body"), of_block(damping="")),
     "bonds with dashpots": (block(friction=""), of_block(damping="")),
     "damping": (block(bond="", friction=""), of_block()),
     "viscous friction": (block(friction="friction 0.3 2.0"), of_block()),

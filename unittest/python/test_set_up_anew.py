@@ -316,6 +316,7 @@ EVENTS = {
     "deposit bodies, area factor": deposited_bodies("factor 0.5"),
     "deposit bodies, area lattice": deposited_bodies("lattice"),
     "deposit bodies, area body": deposited_bodies("body"),
+    "deposit bodies, nu": deposited_bodies("nu 0.1 area body"),
     "create_atoms between runs": Event(
         packed(0.8), MOVE, "run 20\ncreate_atoms 1 single 0.05 0.05 0.05 units box\n"
         "set atom 126 diameter 1.2 density 1\nrun 1\n", every(more("Atoms"), more("E_vdwl"))),
@@ -371,6 +372,7 @@ EVENTS = {
     "bonds fail that overlap": Event(torn(1.2), BREAKING, "run 30\n",
                                      every(at_the_last_step("f_fail"), more("E_vdwl"))),
     "bonds fail that do not overlap": Event(torn(0.7), BREAKING, "run 30\n", at_the_last_step("f_fail")),
+    "bonds fail of a solid with another nu": Event(torn(0.7, area="nu 0.4 area body"), BREAKING, "run 30\n", at_the_last_step("f_fail")),
     "bonds fail within reach of lj": Event(
         replaced(torn(0.7), "potdem/truss\npair_coeff * * 1000 0.5", "potdem/lj\npair_coeff * * 300 0.5 3 0.2"), BREAKING,
         "run 30\n", every(at_the_last_step("f_fail"), changed("E_vdwl"))),

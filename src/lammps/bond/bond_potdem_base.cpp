@@ -422,7 +422,7 @@ void BondPotdemBase::cut(int i, tagint partner, double r2)
 void BondPotdemBase::add_stiffness_to(PotdemStiffness &sum, double /*ahead*/)
 {
   follow_lists();
-  const auto stiffer = volume.exists() ? volume.stiffening(*history) : std::vector<double>();
+  volume.add_stiffness_to(sum, *history);
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
       const int j = bonds.partner[n];
@@ -432,7 +432,6 @@ void BondPotdemBase::add_stiffness_to(PotdemStiffness &sum, double /*ahead*/)
           evaluate(bonds.type[n], r, bonds.length(n), bonds.modulus(n), bonds.state_of(n));
       PotdemSpring spring{{}, at.stiffness, -at.force * inverse_r, 0.0, 0.0};
       for (int k = 0; k < 3; k++) spring.n[k] = inverse_r * (b[k] - a[k]);
-      if (!stiffer.empty()) spring.along *= stiffer[n];
       if (damped) spring.viscosity = bonds.dashpot[n];
       sum.add_pair(i, j, n < bonds.ghosts[i], spring);
     }

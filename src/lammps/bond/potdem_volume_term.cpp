@@ -8,6 +8,7 @@
 #include "core/laws/four.h"
 #include "core/laws/truss.h"
 #include "lammps/glue/potdem_width.h"
+#include "lammps/output/potdem_stiffness.h"
 
 #include "atom.h"
 
@@ -18,6 +19,11 @@
 using namespace LAMMPS_NS;
 
 static constexpr int NONE = -1;
+
+static double norm(const double *v)
+{
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
 
 PotdemVolumeTerm::PotdemVolumeTerm(LAMMPS *lmp, const PotdemBondNetwork &network) :
     Pointers(lmp), bonds(network)
@@ -174,35 +180,62 @@ double PotdemVolumeTerm::tension(int type, int i, int j,
 }
 
 /* ----------------------------------------------------------------------
-   With k = A E'/re of each bond, e its elongation, w/re the change of root with it: by Cauchy's inequality
-
-     root^2 = (sum w e / re)^2 <= sum (w / re)^2 / (k / 2) . sum k e^2 / 2 = chi . sum k e^2 / 2
-
-   so W is at most that of bonds that are stiffer by 1/2 kappa (chi of one end + chi of the other)
+   root_i is linear in the displacements u of particle i and its neighbours j, sum g_ij u_j, with g_ij along the bond. By Cauchy's inequality
+   root_i^2 <= G_i sum u_j.g_ij g_ij.u_j / |g_ij| with G_i = sum |g_ij|, which adds to each particle what a wall would. If kappa < 0
+   nothing is added, which is above it
 ------------------------------------------------------------------------- */
 
-std::vector<double> PotdemVolumeTerm::stiffening(FixPotdemBondHistory &history) const
+void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHistory &history) const
 {
-  std::vector<double> factor(bonds.size(), 1.0);
-  for (std::size_t term = 0; term < terms.size(); term++) {
-    const double kappa = terms[term].kappa;
-    std::vector<double> chi(atom->nlocal + atom->nghost, 0.0);
-    const auto each = [&](const auto &work) {
-      for (int i = 0; i < atom->nlocal; i++)
-        for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++)
-          if (term_of[bonds.type[n]] == static_cast<int>(term)) work(i, n);
-    };
-    each([&](int i, int n) {
-      const double compliance = 2.0 * sqrt(bonds.inverse_length2[n]) / bonds.modulus(n);
-      chi[i] += own[n] * own[n] * compliance;
-      if (n < bonds.ghosts[i]) chi[bonds.partner[n]] += other[n] * other[n] * compliance;
-    });
-    history.forward(chi.data(), 1);
-    each([&](int i, int n) {
-      factor[n] += std::max(0.0, 0.5 * kappa * (chi[i] + chi[bonds.partner[n]]));
-    });
+  for (std::size_t term = 0; term < terms.size(); term++)
+    if (terms[term].kappa > 0.0) add_stiffness_to(sum, history, static_cast<int>(term));
+}
+
+void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHistory &history,
+                                        int term) const
+{
+  const int nlocal = atom->nlocal;
+  struct Slope {
+    double self[3], total;    // g_ii, G_i
+  };
+  std::vector<Slope> slopes(nlocal + atom->nghost, Slope());
+  // for each bond: atom, partner, whose root changes by g along n with the partner's displacement
+  const auto each = [&](const auto &work) {
+    for (int i = 0; i < nlocal; i++)
+      for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
+        if (term_of[bonds.type[n]] != term) continue;
+        const int j = bonds.partner[n];
+        double along[3], r2 = 0.0;
+        for (int k = 0; k < 3; k++) {
+          along[k] = atom->x[j][k] - atom->x[i][k];
+          r2 += along[k] * along[k];
+        }
+        const double r = sqrt(r2), per_length = r * bonds.inverse_length2[n];
+        for (double &component : along) component /= r;
+        work(i, j, per_length * own[n], along);
+        for (double &component : along) component = -component;
+        work(j, i, per_length * other[n], along);
+      }
+  };
+  each([&](int i, int, double g, const double *along) {
+    for (int k = 0; k < 3; k++) slopes[i].self[k] -= g * along[k];
+    slopes[i].total += fabs(g);
+  });
+  for (int i = 0; i < nlocal; i++) slopes[i].total += norm(slopes[i].self);
+  history.forward(slopes[0].self, sizeof(Slope) / sizeof(double));
+  const double kappa = terms[term].kappa;
+  each([&](int i, int j, double g, const double *along) {
+    if (j < nlocal)
+      sum.add_wall(
+          j, {{along[0], along[1], along[2]}, kappa * slopes[i].total * fabs(g), 0.0, 0.0, 0.0});
+  });
+  for (int i = 0; i < nlocal; i++) {
+    const double g = norm(slopes[i].self);
+    if (g == 0.0) continue;
+    const double *const self = slopes[i].self;
+    sum.add_wall(
+        i, {{self[0] / g, self[1] / g, self[2] / g}, kappa * slopes[i].total * g, 0.0, 0.0, 0.0});
   }
-  return factor;
 }
 
 double PotdemVolumeTerm::memory_usage() const

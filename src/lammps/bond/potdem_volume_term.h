@@ -51,8 +51,8 @@ class PotdemVolumeTerm : protected Pointers {
 
   // kappa times weights and roots of both ends, of these weights, of a type that has the energy
   double tension(int type, int i, int j, const FixPotdemBondHistory::Dilatation &) const;
-  // how much stiffer than its own a packed bond can be at most, as a factor. Collective if there is such an energy
-  std::vector<double> stiffening(FixPotdemBondHistory &) const;
+  // not below what it adds. Collective
+  void add_stiffness_to(class PotdemStiffness &, FixPotdemBondHistory &) const;
 
   double memory_usage() const;
 
@@ -77,6 +77,7 @@ class PotdemVolumeTerm : protected Pointers {
 
   Leaving &leaving_at(int i, int type);
   void free_energy();
+  void add_stiffness_to(PotdemStiffness &, FixPotdemBondHistory &, int term) const;
   void add_strains();
 #ifdef POTDEM_WIDE_CODE
   void add_strains_avx2();
