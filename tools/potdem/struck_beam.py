@@ -75,7 +75,8 @@ def modal(clamp, pulse):
 
 
 def lammps(log):
-    """the pulse and the history of a run, which is named <pulse>-<area mode>-<r_infl over d>"""
+    """the pulse and the history of a run, which is named <pulse>-<area mode, or nu>-<r_infl over d>"""
     pulse, area, reach = log.name.split(".beam-impulse.")[1].split(".g++")[0].split("-")
     table = logs.read_thermo(log)
-    return pulse, History(f"LAMMPS, area {area}, {float(reach):g} d", table["Time"], table["v_deflection"])
+    mode = "area body, ν 0.1" if area == "nu" else f"area {area}"
+    return pulse, History(f"LAMMPS, {mode}, {float(reach):g} d", table["Time"], table["v_deflection"])
