@@ -42,6 +42,7 @@ TABLES = {
         bond("LAMMPS's `bond_style bpm/spring`", style="bpm"),
         bond("with `penetration 6`", "penetration 6"),
         bond("with `damping`", "damping 0.01"),
+        Case("with `nu 0.3 area body`", "potdem", "bond", ("Bond",), {"nu": "nu 0.3", "area": "body"}),
         added("added by `fix potdem/failure`", SOLID, "fix fail all potdem/failure 1 tension 0.5"),
         added("added by `compute potdem/energy`", SOLID, *LEDGER),
     ],
@@ -82,6 +83,7 @@ TABLES = {
 }
 COMPARED = [
     ("Bonds", 0, 1, "a bond over one of bpm/spring"),
+    ("Bonds", 4, 0, "a bond of another Poisson's ratio over one of bonds alone"),
     ("Contacts", 6, 7, "a contact with friction and rotation over one of gran/hertz/history"),
     ("Contacts", 10, 7, "one that remembers its friction, mindlin, over one of gran/hertz/history"),
     ("24 389 grains that settle, the whole loop", 0, 1, "the loop of settling grains over that of gran/hertz/history"),

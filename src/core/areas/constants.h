@@ -26,6 +26,9 @@ static constexpr double SQUARE_OVER_VARIANCE = 12.0;
 // rounding: weight of the exact dilatation in admissible strains against that of small weights of the bonds: ten times less or more
 // changes stiffnesses by less than 0.001
 static constexpr double EXACT_WEIGHT = 1e5;
+// chosen: largest share of the energy of a particle's bonds that a volume term with kappa < 0 may take back: less than 1, so that every
+// strain meets resistance; 0.6 inside a solid of nu = 0
+static constexpr double LARGEST_SHARE = 0.8;
 // rounding: added to K, so that it has a root
 static constexpr double NO_STATE = 1e-9;
 

@@ -47,7 +47,12 @@ Vector6 fit(const BondedBody &body, const std::vector<double> &area, const Matri
   for (int a = 0; a < 6; a++) all[a][a] += 1.0 / areas::EXACT_WEIGHT;
   cholesky(all, 6);
   solve_cholesky(all, g, 6);
-  return product(root, g);
+  g = product(root, g);
+  // sum of 2 V c^2 / (A L), times -kappa
+  const double taken = -body.elasticity.volume_modulus() * dot(product(stiffness, g), g);
+  if (taken > areas::LARGEST_SHARE)
+    for (auto &component : g) component *= std::sqrt(areas::LARGEST_SHARE / taken);
+  return g;
 }
 
 }    // namespace
