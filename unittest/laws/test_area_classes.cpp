@@ -9,6 +9,7 @@
 
 #include "core/areas/admissible.h"
 #include "core/areas/constants.h"
+#include "core/areas/dilatation.h"
 #include "core/areas/surface_layer.h"
 #include "core/areas/targets.h"
 #include "core/areas/volumes.h"
@@ -220,7 +221,8 @@ TEST(Admissible, StatesAreOrthonormalInEnergy)
   std::vector<StressState> states;
   for (int k = 0; k < 3; k++)
     for (int l = k; l < 3; l++) states.push_back({1.0, mandel(axis[k], axis[l])});
-  const Matrix6 all = energy_norm(states, isotropic_compliance(0.25)), compliance = isotropic_compliance(0.25);
+  const Matrix6 all = energy_norm(states, isotropic_compliance(0.25)),
+                compliance = isotropic_compliance(0.25);
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < 6; j++) EXPECT_NEAR(all[i][j], compliance[i][j], 1e-14);
   const Matrix6 one = energy_norm({{0.5, {3.0, 0.0, 0.0, 0.0, 0.0, 0.0}}}, compliance);
@@ -266,6 +268,72 @@ TEST(Admissible, AnEdgeCarriesTensionAndTorsion)
   EXPECT_GT(share({0.0, 0.0, 0.0, 0.0, root, -root}), 0.99);
   EXPECT_LT(share({0.0, 0.0, 0.0, 0.0, root, root}), 0.01);
   EXPECT_NEAR(seen[1][1], 0.0, 1e-3);
+}
+
+// of a solid of modulus E: lambda + 2 G and G, over the modulus 5/2 G of its bonds
+TEST(Elasticity, IsThatOfTheSolid)
+{
+  for (const double nu : {0.0, 0.1, 0.25, 0.42}) {
+    const Elasticity elasticity{nu};
+    const Matrix6 c = elasticity.stiffness();
+    const double shear = 0.5 / (1.0 + nu), lame = nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    EXPECT_NEAR(elasticity.bonds_modulus(), 2.5 * shear, 1e-15);
+    EXPECT_NEAR(c[0][0] * elasticity.bonds_modulus(), lame + 2.0 * shear, 1e-14);
+    EXPECT_NEAR(c[0][1] * elasticity.bonds_modulus(), lame, 1e-14);
+    EXPECT_NEAR(c[3][3] * elasticity.bonds_modulus(), 2.0 * shear, 1e-14);    // Mandel
+    const Matrix6 one = product(c, elasticity.compliance());
+    for (int i = 0; i < 6; i++)
+      for (int j = 0; j < 6; j++) EXPECT_NEAR(one[i][j], i == j, 1e-13);
+    EXPECT_EQ(elasticity.has_volume_term(), nu != 0.25);
+  }
+}
+
+// the trace of every uniform strain inside, of the strains without traction on a face; no net force inside
+TEST(Dilatation, IsTheTraceOfAdmissibleStrains)
+{
+  const Block block = {9, 9, 9, false, 1.0, 2.0};
+  Solid solid(block);
+  BondedBody &body = solid.body;
+  body.volume.assign(body.nall, 1.0);
+  body.elasticity.poisson = 0.1;
+  const Surfaces surfaces(body, Cells(body));
+  const UniformAreas uniform(body, surfaces);
+  const Dilatation dilatation(body, uniform.area, admissible_strains(body, surfaces, uniform));
+  const auto theta = [&](int i, const Vector6 &strain) {
+    double sum = 0.0;
+    for (const auto &to : body.neighbours(i)) {
+      const auto &n = body.bonds[to.bond].n;
+      sum += dilatation.weight(to.bond, to.sign > 0.0 ? 0 : 1) * dot(mandel(n, n), strain);
+    }
+    return sum;
+  };
+  const Vector6 any = {0.7, -0.3, 0.5, 0.2, -0.6, 0.4};
+  const int middle = solid.at(block, 4, 4, 4), face = solid.at(block, 8, 4, 4);
+  EXPECT_NEAR(theta(middle, any), 0.9, 1e-4);    // EXACT_WEIGHT
+  const Vector6 pulled = {-0.1, 1.0, -0.1, 0.0, 0.0, 0.0};
+  EXPECT_NEAR(theta(face, pulled), 0.8, 1e-3);    // the normal is told by 400 rays
+  const auto pushes = dilatation.pushes();
+  for (const double force : pushes[middle])
+    EXPECT_NEAR(force, 0.0, 1e-7);     // the rays of its neighbours
+  EXPECT_LT(pushes[face][0], -0.1);    // tension in its bonds pulls a face inwards
+}
+
+// kappa < 0: the weights are such that the volume does not take back the energy of the bonds
+TEST(Dilatation, TakesBackAShareOnly)
+{
+  BodyHalo alone;
+  BondedBody body = star(alone, shell({{1.0, 0.0, 0.0}, {0.9, 0.3, 0.2}}));
+  body.volume.assign(body.nall, 5.0);    // bonds too weak for so much
+  body.elasticity.poisson = 0.0;
+  const std::vector<double> area(body.bonds.size(), 0.5);
+  const Dilatation dilatation(body, area,
+                              std::vector<Matrix6>(body.nowned, body.elasticity.compliance()));
+  double share = 0.0;
+  for (std::size_t b = 0; b < body.bonds.size(); b++) {
+    const double c = dilatation.weight(b, 0);
+    share += 0.4 * c * c * 2.0 * 5.0 / (0.5 * body.bonds[b].length);    // kappa/E' = -0.4
+  }
+  EXPECT_NEAR(share, areas::LARGEST_SHARE, 1e-12);
 }
 
 // the slope is that of the square, by differences
