@@ -76,6 +76,18 @@ def test_energy_and_forces(run_lammps, tmp_path, solver, name, nu, nprocs):
     assert scripts.results(run.stdout)[0][0] == pytest.approx(energy, rel=1e-9)
 
 
+def test_threads(run_lammps, tmp_path):
+    """forces are summed in another order: rounding"""
+    body = BODIES["random"]
+    write_particles(tmp_path, body.x - 0.5 * body.size, body.d, body.v)
+    found = []
+    for threads in ("", "package omp 2\nsuffix omp\n"):
+        run = run_lammps(threads + bonded(0.1) + shaken(0.05) + "run 0\n" + scripts.write_dump("end.dump", "fx fy fz"))
+        found.append(scripts.vectors(dumps.read(tmp_path / "end.dump")[-1], "fx", "fy", "fz"))
+    assert "potdem/truss/omp" in run.stdout
+    assert np.abs(found[1] - found[0]).max() < 1e-13 * np.abs(found[0]).max()
+
+
 def test_bonds_have_their_shares(run_lammps, tmp_path):
     """energies and forces of the bonds, energies and stresses of the particles add up to those of the whole"""
     body = BODIES["cubic"]

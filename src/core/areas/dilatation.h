@@ -10,8 +10,9 @@
    beside that of the bonds. theta_i, the dilatation, is the trace of the strain at the particle. Its weights c_ib give it exactly in every
    uniform strain that is admissible at the particle; of all such weights they are those with the least sum of c^2 2 V/(A L), 3/2
    inside. By Cauchy's inequality W takes back at most -kappa times this sum of the energy of the bonds; where that would be too much, at few
-   particles of random packings, the weights are less. So the whole resists every strain if kappa < 0, too. Each bond carries the force kappa (V_i theta_i c_ib + V_j theta_j c_jb) / L beside its own. Here forces and
-   energies are over E' (elasticity.h). */
+   particles of random packings, the weights are less. So the whole resists every strain if kappa < 0, too.
+   Each bond carries the force kappa (V_i theta_i c_ib + V_j theta_j c_jb) / L beside its own. Here forces and energies are over E'
+   (elasticity.h). */
 
 #ifndef POTDEM_AREAS_DILATATION_H
 #define POTDEM_AREAS_DILATATION_H

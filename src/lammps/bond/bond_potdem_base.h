@@ -4,7 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* What LAMMPS and the other styles see of any bond style of this package (bond_potdem.h). Its parts are the packed bonds
-   (potdem_bond_network.h), the sections (potdem_bond_area.h), the energy of the change of volume (potdem_volume_term.h) and the strengths (potdem_bond_strengths.h). */
+   (potdem_bond_network.h), the sections (potdem_bond_area.h), the energy of the change of volume (potdem_volume_term.h) and the
+   strengths (potdem_bond_strengths.h). */
 
 #ifndef LMP_BOND_POTDEM_BASE_H
 #define LMP_BOND_POTDEM_BASE_H
