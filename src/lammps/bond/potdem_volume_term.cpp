@@ -222,7 +222,7 @@ void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHisto
     slopes[i].total += fabs(g);
   });
   for (int i = 0; i < nlocal; i++) slopes[i].total += norm(slopes[i].self);
-  history.forward(slopes[0].self, sizeof(Slope) / sizeof(double));
+  history.forward(reinterpret_cast<double *>(slopes.data()), sizeof(Slope) / sizeof(double));
   const double kappa = terms[term].kappa;
   each([&](int i, int j, double g, const double *along) {
     if (j < nlocal)
