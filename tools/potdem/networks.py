@@ -171,7 +171,12 @@ class Dilatation:
         """E = 1: kappa is Lame's constant less the shear modulus"""
         return cls(poisson / ((1 + poisson) * (1 - 2 * poisson)) - 0.5 / (1 + poisson), volumes, weights)
 
-    def matrix(self, pairs, lengths):
+    def stiffness(self, pairs, stretch, lengths):
+        """what it adds to the stiffness; stretch, lengths: of elongations(), the first perhaps times fields"""
+        change = self.roots(pairs, lengths) @ stretch
+        return np.sign(self.kappa) * change.T @ change
+
+    def roots(self, pairs, lengths):
         """(particles, bonds): roots of v_i |kappa| times the dilatations, over the elongations"""
         entries = np.sqrt(abs(self.kappa) * self.volumes[pairs]) * self.weights / lengths[:, None]
         columns = np.broadcast_to(np.arange(len(pairs))[:, None], pairs.shape)
@@ -193,8 +198,7 @@ class Network:
         reduced = stretch @ self.fields
         matrix = reduced.T @ diags(area / r) @ reduced
         if dilatation:
-            change = dilatation.matrix(pairs, r) @ reduced
-            matrix = matrix + np.sign(dilatation.kappa) * change.T @ change
+            matrix = matrix + dilatation.stiffness(pairs, reduced, r)
         matrix = matrix.tocoo()
         lower = matrix.row >= matrix.col
         row, column, value = matrix.row[lower], matrix.col[lower], matrix.data[lower]

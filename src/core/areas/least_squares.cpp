@@ -31,7 +31,6 @@ LeastSquares::LeastSquares(const BondedBody &bonded, const std::vector<double> &
     step(bonded.bonds.size()), moments(bonded.nall, Moments{}), done(0)
 {
   find_step();
-  find_push();
 }
 
 std::vector<double> LeastSquares::areas() const

@@ -258,17 +258,19 @@ void BondPotdemBase::pack()
   std::vector<char> ours(atom->nbondtypes + 1, 0);
   for (int type = 1; type <= atom->nbondtypes; type++) ours[type] = owns(type);
   bonds.order(ours, damped, strengths.kind() == BondStrengths::BY_BOND);
+  volume.make_room();
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) pack_bond(i, n);
   bonds.take_state(*history);
-  volume.take(*history);
 }
 
 void BondPotdemBase::pack_bond(int i, int n)
 {
   const int j = bonds.partner[n], type = bonds.type[n];
   const int slot = history->slot(i, atom->tag[j]);
-  check_solid(i, slot, type);
+  const auto part = history->dilatation(i, slot);
+  check_solid(type, part.solid);
+  if (volume.exists()) volume.take(n, part);
   const double re = history->length(i, slot);
   const double EA = modulus(type) * section(type, i, j, slot);
   bonds.inverse_length2[n] = 1.0 / (re * re);
@@ -283,10 +285,9 @@ void BondPotdemBase::pack_bond(int i, int n)
   bonds.dashpot[n] = POTDEM::dashpot(beside[type].xi, EA / re, force->mvv2e * mi * mj / (mi + mj));
 }
 
-// sections and weights belong together, and to the nu that they were found for
-void BondPotdemBase::check_solid(int i, int slot, int type) const
+// sections and weights belong together, and to the nu that they were found for: 1 + nu, 0 for that of bonds alone
+void BondPotdemBase::check_solid(int type, double found) const
 {
-  const double found = history->dilatation(i, slot).solid;
   const auto &area = beside[type].area;
   if (found == (area.has_volume_term() ? 1.0 + area.poisson() : 0.0)) return;
   error->one(FLERR,
@@ -404,16 +405,21 @@ void BondPotdemBase::expect_cut(int i, tagint partner)
   const int slot = history->slot(i, partner), type = atom->bond_type[i][slot];
   if (!volume.exists(type)) return;
   const double *const far = atom->x[domain->closest_image(i, atom->map(partner))];
-  const double re = history->length(i, slot), q = distance2(atom->x[i], far) / (re * re);
-  volume.expect_cut(i, type, history->dilatation(i, slot).own * POTDEM::truss_strain(q));
+  volume.expect_cut(i, type, part_of_volume(i, slot, distance2(atom->x[i], far)));
 }
 
 void BondPotdemBase::cut(int i, tagint partner, double r2)
 {
   const int slot = history->slot(i, partner), type = atom->bond_type[i][slot];
-  const double re = history->length(i, slot), strain = POTDEM::truss_strain(r2 / (re * re));
-  if (volume.exists(type)) volume.cut(i, type, history->dilatation(i, slot).own * strain);
+  if (volume.exists(type)) volume.cut(i, type, part_of_volume(i, slot, r2));
   bonds.cut(i, partner, force->bond == this);
+}
+
+// of a bond of owned atom i, in the root of its volume term
+double BondPotdemBase::part_of_volume(int i, int slot, double r2) const
+{
+  const double re = history->length(i, slot);
+  return history->dilatation(i, slot).own * POTDEM::truss_strain(r2 / (re * re));
 }
 
 /* ---------------------------------------------------------------------- */

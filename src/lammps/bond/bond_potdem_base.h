@@ -161,7 +161,8 @@ class BondPotdemBase :
   void find_areas();
   double section(int type, int i, int j, int slot) const;
   POTDEM::Evaluation own_evaluation(int type, double r, int i, int j, int slot);
-  void check_solid(int i, int slot, int type) const;
+  void check_solid(int type, double found) const;
+  double part_of_volume(int i, int slot, double r2) const;
   const double *state_of(int i, int j, int slot);
   [[noreturn]] void collapsed(int i, int j) const;
   void suspect(int i, int n);

@@ -11,6 +11,7 @@
 #include "lammps/output/potdem_stiffness.h"
 
 #include "atom.h"
+#include "math_extra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,6 @@
 using namespace LAMMPS_NS;
 
 static constexpr int NONE = -1;
-
-static double norm(const double *v)
-{
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
 
 PotdemVolumeTerm::PotdemVolumeTerm(LAMMPS *lmp, const PotdemBondNetwork &network) :
     Pointers(lmp), bonds(network)
@@ -42,19 +38,11 @@ void PotdemVolumeTerm::begin(const std::vector<double> &moduli)
     if (term_of[type] >= 0) terms[term_of[type]].kappa = moduli[type];
 }
 
-void PotdemVolumeTerm::take(const FixPotdemBondHistory &history)
+void PotdemVolumeTerm::make_room()
 {
   const int count = exists() ? bonds.size() : 0;
-  own.assign(count, 0.0);
-  other.assign(count, 0.0);
-  if (count == 0) return;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
-      if (term_of[bonds.type[n]] < 0) continue;
-      const auto part = history.dilatation(i, history.slot(i, atom->tag[bonds.partner[n]]));
-      own[n] = part.own;
-      other[n] = part.other;
-    }
+  own.resize(count);
+  other.resize(count);
 }
 
 void PotdemVolumeTerm::find_dilatations(FixPotdemBondHistory &history)
@@ -205,15 +193,12 @@ void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHisto
       for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) {
         if (term_of[bonds.type[n]] != term) continue;
         const int j = bonds.partner[n];
-        double along[3], r2 = 0.0;
-        for (int k = 0; k < 3; k++) {
-          along[k] = atom->x[j][k] - atom->x[i][k];
-          r2 += along[k] * along[k];
-        }
-        const double r = sqrt(r2), per_length = r * bonds.inverse_length2[n];
-        for (double &component : along) component /= r;
+        double along[3];
+        MathExtra::sub3(atom->x[j], atom->x[i], along);
+        const double r = MathExtra::len3(along), per_length = r * bonds.inverse_length2[n];
+        MathExtra::scale3(1.0 / r, along);
         work(i, j, per_length * own[n], along);
-        for (double &component : along) component = -component;
+        MathExtra::negate3(along);
         work(j, i, per_length * other[n], along);
       }
   };
@@ -221,7 +206,7 @@ void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHisto
     for (int k = 0; k < 3; k++) slopes[i].self[k] -= g * along[k];
     slopes[i].total += fabs(g);
   });
-  for (int i = 0; i < nlocal; i++) slopes[i].total += norm(slopes[i].self);
+  for (int i = 0; i < nlocal; i++) slopes[i].total += MathExtra::len3(slopes[i].self);
   history.forward(reinterpret_cast<double *>(slopes.data()), sizeof(Slope) / sizeof(double));
   const double kappa = terms[term].kappa;
   each([&](int i, int j, double g, const double *along) {
@@ -230,7 +215,7 @@ void PotdemVolumeTerm::add_stiffness_to(PotdemStiffness &sum, FixPotdemBondHisto
           j, {{along[0], along[1], along[2]}, kappa * slopes[i].total * fabs(g), 0.0, 0.0, 0.0});
   });
   for (int i = 0; i < nlocal; i++) {
-    const double g = norm(slopes[i].self);
+    const double g = MathExtra::len3(slopes[i].self);
     if (g == 0.0) continue;
     const double *const self = slopes[i].self;
     sum.add_wall(

@@ -33,7 +33,12 @@ class PotdemVolumeTerm : protected Pointers {
   void begin(const std::vector<double> &moduli);
   bool exists() const { return !terms.empty(); }
   bool exists(int type) const { return exists() && term_of[type] >= 0; }
-  void take(const FixPotdemBondHistory &);    // what it needs of the packed bonds
+  void make_room();    // for the packed bonds
+  void take(int n, const FixPotdemBondHistory::Dilatation &part)
+  {
+    own[n] = part.own;
+    other[n] = part.other;
+  }
   // of the particles as they are. Collective
   void find_dilatations(FixPotdemBondHistory &);
   // for the loop over bonds: of each bond type kappa times the roots of all particles, null where it has no such energy; of each

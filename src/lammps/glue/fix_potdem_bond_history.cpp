@@ -332,14 +332,14 @@ void FixPotdemBondHistory::store(int i, int m, double length)
   if (dilatations) store_dilatation(i, m, {});
 }
 
-// before any bond of a type whose areas are found is computed. The style must not have the name of this one in its own: when a plugin
-// goes, LAMMPS deletes its fixes by patterns of their styles
+// the style must not have the name of this one in its own: when a plugin goes, LAMMPS deletes its fixes by patterns of their styles
 FixPotdemBondValues *FixPotdemBondHistory::values_of(const char *id_of_fix, int columns)
 {
   return dynamic_cast<FixPotdemBondValues *>(
       modify->add_fix(fmt::format("{} all POTDEM_AREA_BOND_HISTORY 0 {}", id_of_fix, columns)));
 }
 
+// these two before any bond of a type for which they are found is computed
 void FixPotdemBondHistory::keep_areas()
 {
   if (!areas) areas = values_of(AREAS_ID, 1);
