@@ -65,13 +65,14 @@ class StrainFit {
   double matrix[6][6] = {};    // of the normal equations
   int bonds = 0;
 
-  POTDEM_FUNCTION void add(const double *del)
+  // weight: how much its strain counts; that of the sum is as heavy
+  POTDEM_FUNCTION void add(const double *del, double weight = 1.0)
   {
     StrainSum<double> row;
     row.add(del, 1.0);
     for (int a = 3; a < 6; a++) row.of[a] *= StrainInverse::ROOT_2;
     for (int a = 0; a < 6; a++)
-      for (int b = 0; b < 6; b++) matrix[a][b] += row.of[a] * row.of[b];
+      for (int b = 0; b < 6; b++) matrix[a][b] += weight * row.of[a] * row.of[b];
     bonds++;
   }
 

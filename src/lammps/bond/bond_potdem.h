@@ -36,7 +36,11 @@ template <class Law> class BondPotdem : public BondPotdemBase {
   }
   void make_kernel(int type) override { kernels[type] = laws[type].kernel(); }
   void choose_loop() override;
-  void work(ThreadShare &share) override { (this->*(evflag ? tallied : quiet))(share); }
+  void work(ThreadShare &share) override
+  {
+    (this->*(evflag ? tallied : quiet))(share);
+    take_damage(share);
+  }
 
  private:
   std::vector<Law> laws;

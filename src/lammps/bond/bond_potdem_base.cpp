@@ -21,6 +21,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "math_extra.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -46,8 +47,9 @@ static double distance2(const double *a, const double *b)
 
 BondPotdemBase::BondPotdemBase(LAMMPS *lmp, const std::string &name, int nstate) :
     Bond(lmp), name(name), style("bond_style " + name), bonds(lmp, nstate), volume(lmp, bonds),
-    any_penetration(false), damped(false), ledger(nullptr), history(nullptr), lost(false),
-    monitor(nullptr), generation(-1), new_bonds(true)
+    softening(lmp, bonds), onset(lmp, bonds, softening), any_penetration(false), damped(false),
+    ledger(nullptr), history(nullptr), lost(false), monitor(nullptr), generation(-1),
+    new_bonds(true)
 {
   potdem_needs_setup(lmp);
   partial_flag = 1;
@@ -115,6 +117,7 @@ void BondPotdemBase::init_style()
   new_bonds = true;
 
   reinit();
+  if (strengths.any_softens()) history->keep_softening();
   set_communication();
 }
 
@@ -227,7 +230,7 @@ void BondPotdemBase::forget_packed()
 // its coefficients may have been given to another style of hybrid later
 bool BondPotdemBase::owns(int type) const
 {
-  return type > 0 && setflag[type] && potdem_serves(force, this, type);
+  return type > 0 && allocated && setflag[type] && potdem_serves(force, this, type);
 }
 
 // each bond has its own. By this LAMMPS would only guess how far ghosts must reach, and warn of what is set here
@@ -262,6 +265,7 @@ void BondPotdemBase::pack()
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) pack_bond(i, n);
   bonds.take_state(*history);
+  softening.take(*history);
 }
 
 void BondPotdemBase::pack_bond(int i, int n)
@@ -344,6 +348,7 @@ int BondPotdemBase::begin_work()
 {
   follow_lists();
   if (volume.exists()) volume.find_dilatations(*history);
+  softening.follow(*history, !potdem_minimizes(lmp));
   return atom->nlocal;
 }
 
@@ -361,6 +366,32 @@ void BondPotdemBase::collect(const ThreadShare &share)
   over.insert(over.end(), share.over.begin(), share.over.end());
   energy += share.energy;
   for (int k = 0; k < 6; k++) virial[k] += share.virial[k];
+}
+
+// the rank of a ghost does the same bond for itself
+void BondPotdemBase::take_damage(const ThreadShare &share)
+{
+  for (auto *bond = softening.begin(share.from); bond != softening.end(share.to); ++bond) {
+    const int i = bond->i, n = bond->n, j = bonds.partner[n], type = bonds.type[n];
+    const double loss = bond->loss();
+    if (loss == 0.0 || type == 0) continue;
+    const double re = bonds.length(n), r = sqrt(bond->q) * re;
+    const auto at = evaluate(type, r, re, bonds.modulus(n), bonds.state_of(n));
+    double del[3], apart[3];
+    MathExtra::sub3(atom->x[j], atom->x[i], del);
+    double pull = loss * at.force / r;
+    if (evflag) tally(share, i, j, -loss * at.energy, pull, del);
+    if (damped) {
+      MathExtra::sub3(atom->v[j], atom->v[i], apart);
+      const double damp = loss * bonds.dashpot[n] / (r * r) * MathExtra::dot3(apart, del);
+      if (ledger) note(i, j, -damp * del[0], -damp * del[1], -damp * del[2]);
+      pull -= damp;
+    }
+    for (int k = 0; k < 3; k++) {
+      share.f[i][k] += pull * del[k];
+      if (j < atom->nlocal) share.f[j][k] -= pull * del[k];
+    }
+  }
 }
 
 // viscous force on i; the rank of a ghost notes its own
@@ -412,6 +443,7 @@ void BondPotdemBase::cut(int i, tagint partner, double r2)
 {
   const int slot = history->slot(i, partner), type = atom->bond_type[i][slot];
   if (volume.exists(type)) volume.cut(i, type, part_of_volume(i, slot, r2));
+  softening.remove(i, partner);
   bonds.cut(i, partner, force->bond == this);
 }
 
@@ -455,8 +487,13 @@ double BondPotdemBase::single(int type, double rsq, int i, int j, double &fforce
   const int slot = history->slot(owned, atom->tag[other]);
   if (slot < 0 || history->length(owned, slot) <= 0.0) return 0.0;
   const double r = sqrt(rsq), re = history->length(owned, slot);
-  const auto at = own_evaluation(type, r, owned, other, slot);
+  auto at = own_evaluation(type, r, owned, other, slot);
   const double strain = POTDEM::truss_strain(rsq / (re * re));
+  const double damage = history->softening(owned, slot).damage;
+  if (strain > 0.0) {
+    at.force *= 1.0 - damage;
+    at.energy *= 1.0 - damage;
+  }
   const double of_volume = volume.exists(type)
       ? volume.tension(type, owned, other, history->dilatation(owned, slot))
       : 0.0;
@@ -465,6 +502,7 @@ double BondPotdemBase::single(int type, double rsq, int i, int j, double &fforce
   svector[SECTION] = section(type, owned, other, slot);
   svector[STRESS] = -at.force / svector[SECTION];
   svector[REFERENCE] = re;
+  svector[DAMAGE] = damage;
   return at.energy + 0.5 * strain * of_volume;
 }
 
@@ -486,9 +524,35 @@ const double *BondPotdemBase::state_of(int i, int j, int slot)
   return n >= 0 ? bonds.state_of(n) : history->state(i, slot);
 }
 
+// with what damage has taken of it
 double BondPotdemBase::energy_of_bond(int type, double r2, int i, int j)
 {
-  return own_evaluation(type, sqrt(r2), i, j, history->slot(i, atom->tag[j])).energy;
+  const int slot = history->slot(i, atom->tag[j]);
+  const double stored = own_evaluation(type, sqrt(r2), i, j, slot).energy;
+  const auto law = history->softening(i, slot);
+  if (!law.begun()) return stored;
+  const double re = history->length(i, slot),
+               modulus_now = modulus(type) * section(type, i, j, slot);
+  return (r2 > re * re ? 1.0 - law.damage : 1.0) * stored + law.lost() * modulus_now * re;
+}
+
+std::vector<BreakableBonds::Reached>
+BondPotdemBase::reached_by_cracks(const CrackQuestion &question)
+{
+  return onset.find(question, modulus(question.type), over, generation);
+}
+
+// the other parts would take an open crack for a strain of the material
+const char *BondPotdemBase::cannot_soften(int type) const
+{
+  if (volume.exists(type)) return "nu";
+  return has_penetration(type) ? "penetration" : nullptr;
+}
+
+void BondPotdemBase::soften(int i, int slot, const POTDEM::Softening &law)
+{
+  history->store_softening(i, slot, law);
+  softening.add(i, atom->bond_atom[i][slot], law);
 }
 
 /* ----------------------------------------------------------------------
@@ -578,5 +642,6 @@ void BondPotdemBase::write_data(FILE *fp)
 
 double BondPotdemBase::memory_usage()
 {
-  return bonds.memory_usage() + volume.memory_usage();
+  return bonds.memory_usage() + volume.memory_usage() + softening.memory_usage() +
+      onset.memory_usage();
 }

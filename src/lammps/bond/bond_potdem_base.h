@@ -4,8 +4,8 @@
 ------------------------------------------------------------------------- */
 
 /* What LAMMPS and the other styles see of any bond style of this package (bond_potdem.h). Its parts are the packed bonds
-   (potdem_bond_network.h), the sections (potdem_bond_area.h), the energy of the change of volume (potdem_volume_term.h) and the
-   strengths (potdem_bond_strengths.h). */
+   (potdem_bond_network.h), the sections (potdem_bond_area.h), the energy of the change of volume (potdem_volume_term.h), the
+   strengths (potdem_bond_strengths.h) and the bonds that a crack is opening (potdem_softening.h). */
 
 #ifndef LMP_BOND_POTDEM_BASE_H
 #define LMP_BOND_POTDEM_BASE_H
@@ -14,6 +14,8 @@
 #include "lammps/bond/potdem_bond_area.h"
 #include "lammps/bond/potdem_bond_network.h"
 #include "lammps/bond/potdem_bond_strengths.h"
+#include "lammps/bond/potdem_crack_onset.h"
+#include "lammps/bond/potdem_softening.h"
 #include "lammps/bond/potdem_volume_term.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_law_io.h"
@@ -56,11 +58,18 @@ class BondPotdemBase :
   void return_state() override;
 
   bool owns(int type) const override;
-  const std::vector<Overstretched> &overstretched() const override { return over; }
+  double youngs_modulus(int type) const override { return modulus(type); }
+  const std::vector<Listed> &overstretched() const override { return over; }
   double energy_of_bond(int type, double r2, int i, int j) override;
   void expect_cut(int i, tagint partner) override;
   void cut(int i, tagint partner, double r2) override;
   double freed_energy(int type) override { return volume.freed_energy(type); }
+  std::vector<Reached> reached_by_cracks(const CrackQuestion &) override;
+  const char *cannot_soften(int type) const override;
+  void soften(int i, int slot, const POTDEM::Softening &) override;
+  const std::vector<Listed> &spent() const override { return softening.spent(); }
+  double softening_energy(int type) const override { return softening.lost_energy(type); }
+  int softening_bonds(int type) const override { return softening.count(type); }
 
  protected:
   std::string name, style;    // potdem/..., bond_style potdem/...
@@ -74,6 +83,8 @@ class BondPotdemBase :
 
   PotdemBondNetwork bonds;
   PotdemVolumeTerm volume;
+  PotdemSoftening softening;
+  PotdemCrackOnset onset;
   BondStrengths strengths;
   bool any_penetration, damped;
   class FixPotdemLedger *ledger;    // null: no compute potdem/energy
@@ -83,7 +94,7 @@ class BondPotdemBase :
     int from, to;
     double **f;
     class ThrData *thread;                  // null: no threads
-    std::vector<Overstretched> over;        // bonds that fail
+    std::vector<Listed> over;               // bonds that fail
     double energy = 0.0, virial[6] = {};    // unless each atom's are asked for
     int i = -1, j = -1;                     // a bond without length
     int crushed_i = -1, crushed = -1;       // one that is hardly longer: owned atom, packed bond
@@ -99,7 +110,7 @@ class BondPotdemBase :
       crushed = bond;
     }
   };
-  std::vector<Overstretched> over;
+  std::vector<Listed> over;
 
   static ThreadShare share(int from, int to, double **f, double ** /*torque*/,
                            class ThrData *thread)
@@ -109,6 +120,7 @@ class BondPotdemBase :
   int begin_work();
   void end_work(const std::vector<ThreadShare> &);
   void collect(const ThreadShare &);
+  void take_damage(const ThreadShare &);    // what the loop gave to bonds that soften
   void note(int i, int j, double fx, double fy, double fz);
   virtual void tally(const ThreadShare &, int i, int j, double energy, double pull,
                      const double *del);
@@ -134,7 +146,7 @@ class BondPotdemBase :
   bool new_bonds;                     // there may be some since the last run
 
   // the columns that single() adds, for compute bond/local
-  enum { STRAIN, STRESS, SECTION, REFERENCE, NEXTRA };
+  enum { STRAIN, STRESS, SECTION, REFERENCE, DAMAGE, NEXTRA };
 
   // a coefficient of all types as fix adapt wants it
   struct Adaptable {

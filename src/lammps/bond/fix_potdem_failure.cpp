@@ -12,7 +12,16 @@
    before its forces, and the pair comes into the neighbour lists at once. Velocity Verlet thus applies
    the bond's force for the first half of the step in between and not for the second: its fracture energy
    is the mean of its elastic energies at both ends of that step, which closes the energy balance to
-   second order. Set-up removes nothing. Ranks that share no bonds hear nothing of each other, and sums
+   second order. Set-up removes nothing.
+
+   With `criterion principal` the bond loop notes which bonds are loaded, and at the end of the step the stress of their particles
+   decides (potdem_crack_onset.h); with an energy bonds then soften (potdem_softening.h) over an opening that depends on their angle to the
+   largest stress: a crack of the normal n and the opening w stretches a bond of the direction m by w n.m, so that all bonds that cross
+   it end at the same opening w_c = 2 Gf/s, whatever their lengths and directions. When it begins their forces balance the stress s over
+   any cut, and so the energy of the cut is s w_c/2 = Gf, whatever its shape. Damage is found from where the particles are, on
+   each rank for its own ends.
+
+   Ranks that share no bonds hear nothing of each other, and sums
    over all of them are made when somebody asks. */
 
 #include "lammps/bond/fix_potdem_failure.h"
@@ -48,18 +57,23 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 static constexpr int FAILURE_WIDTH = 10;    // columns of the local output
+// steps from one look at the stress of the solid to the next: a wave comes no further than about one particle in between
+static constexpr int PERIOD = 4;
+// of bonds that soften: no flatter to the crack than this, nor shorter than this times the elongation at which they began
+static constexpr double LEAST_COSINE = 0.2, LEAST_RANGE = 1.05;
 
 /* ---------------------------------------------------------------------- */
 
 FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
-    FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0),
-    compression(-1.0), lost{}, uncounted(0), bonds(nullptr), history(nullptr), maxrows(0),
-    generation(-1)
+    FixUpdateSpecialBonds(lmp, MIN(narg, 3), arg), btype(0), tension(-1.0), compression(-1.0),
+    toughness(0.0), principal(false), lost{}, uncounted(0), bonds(nullptr), history(nullptr),
+    maxrows(0), generation(-1)
 {
   potdem_needs_setup(lmp);
   PotdemMaterialInput input(lmp, "fix potdem/failure", narg - 3, arg + 3);
   static_assert(sizeof(Failure) == FAILURE_WIDTH * sizeof(double), "a failure is a row");
   btype = input.bond_type();
+  bool has_criterion = false;
   while (!input.done()) {
     if (input.next_is("tension"))
       tension = input.property("tension");
@@ -67,16 +81,26 @@ FixPotdemFailure::FixPotdemFailure(LAMMPS *lmp, int narg, char **arg) :
       compression = input.property("compression");
     else if (input.next_is("scatter"))
       scatter = read_scatter(input);
-    else {
+    else if (input.next_is("energy"))
+      toughness = input.in_range("energy Gf", POTDEM::positive());
+    else if (input.next_is("criterion")) {
+      has_criterion = true;
+      principal = read_criterion(input);
+    } else {
       input.word();
-      input.unknown("tension, compression or scatter");
+      input.unknown("tension, compression, energy, criterion or scatter");
     }
   }
   if (tension < 0.0 && compression < 0.0)
     input.fail("give a strength: tension ft, compression fc, or both");
+  if (toughness > 0.0 && has_criterion && !principal)
+    input.fail("energy Gf needs the direction of the largest stress: leave out criterion bond");
+  principal = principal || toughness > 0.0;
+  if (principal && tension < 0.0)
+    input.fail("energy Gf and criterion principal are for failure in tension: give tension ft");
 
   scalar_flag = vector_flag = 1;
-  size_vector = 3;
+  size_vector = 4;
   global_freq = 1;
   extscalar = extvector = 0;
   local_flag = 1;
@@ -111,6 +135,17 @@ POTDEM::StrengthScatter FixPotdemFailure::read_scatter(PotdemInput &input)
   return POTDEM::StrengthScatter::normal(cov, input.whole("scatter seed", MAXSMALLINT));
 }
 
+// bond | principal: whether it is principal
+bool FixPotdemFailure::read_criterion(PotdemInput &input)
+{
+  if (input.next_is("principal")) return true;
+  if (!input.next_is("bond")) {
+    input.word();
+    input.unknown("bond or principal after criterion");
+  }
+  return false;
+}
+
 int FixPotdemFailure::setmask()
 {
   return POST_INTEGRATE | END_OF_STEP | POST_RUN;
@@ -143,11 +178,18 @@ void FixPotdemFailure::find_bonds()
                "Fix potdem/failure {}: bonds of type {} are of another bond style: give the fix a "
                "bond type of bond_style potdem/truss",
                id, btype);
+  const char *const other = principal ? bonds->cannot_soften(btype) : nullptr;
+  if (other)
+    error->all(FLERR,
+               "Fix potdem/failure {}: energy Gf and criterion principal do not go with '{}' in "
+               "bond_coeff {}: leave one of them out",
+               id, other, btype);
 }
 
 void FixPotdemFailure::give_strengths_to(BondStrengths &strengths) const
 {
-  strengths.set(btype, tension, compression, scatter);
+  const double noted = principal ? BondStrengths::LOADED * tension : tension;
+  strengths.set(btype, noted, compression, scatter, toughness > 0.0);
 }
 
 // unlike its base class, it works with bonded pairs left out of the neighbour list altogether (the bond
@@ -155,7 +197,28 @@ void FixPotdemFailure::give_strengths_to(BondStrengths &strengths) const
 void FixPotdemFailure::setup(int /*vflag*/)
 {
   warn_if_idle();
+  if (toughness > 0.0) check_softening();
   decide();
+}
+
+// a longer bond would have more elastic energy at its strength than its part of the crack costs
+void FixPotdemFailure::check_softening()
+{
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    const int *const listed = neighbor->bondlist[n];
+    if (listed[2] != btype || listed[0] >= atom->nlocal) continue;
+    const tagint tags[2] = {atom->tag[listed[0]], atom->tag[listed[1]]};
+    const double ft = tension * scatter.factor(tags[0], tags[1]);
+    const double re = history->length(listed[0], history->slot(listed[0], tags[1]));
+    const double most = 2.0 * bonds->youngs_modulus(btype) * toughness / (ft * ft);
+    if (re >= most)
+      error->one(
+          FLERR,
+          "Fix potdem/failure {}: the bond of atoms {} and {} is {:g} long, and with E, ft and "
+          "Gf = {:g} a crack takes only bonds shorter than 2 E Gf/ft^2 = {:g}, else it snaps: "
+          "use particles smaller by the factor {:.2g}, or leave out energy",
+          id, tags[0], tags[1], re, toughness, most, most / re);
+  }
 }
 
 // most likely a wrong bond type or group; but bonds may still come, or all have failed
@@ -201,23 +264,63 @@ void FixPotdemFailure::decide()
   if (generation != history->generation) follow_lists();
   pending.clear();
   lost.energy += bonds->freed_energy(btype);
-  const tagint *tag = atom->tag;
-  const int nlocal = atom->nlocal;
-  for (const auto &over : bonds->overstretched()) {
-    const int i = over.i, j = over.j;
-    if (over.type != btype || !(atom->mask[i] & atom->mask[j] & groupbit)) continue;
-    if (j >= nlocal && tag[j] < tag[i]) continue;
-    double del[3];
-    MathExtra::sub3(atom->x[j], atom->x[i], del);
-    pending.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]),
-                       bond_energy(i, tag[j], MathExtra::lensq3(del)),
-                       j < nlocal ? comm->me : owner[j - nlocal]});
-  }
+  if (principal) find_onsets();
+  for (const auto &over : bonds->overstretched())
+    if (over.type == btype && !(principal && in_tension(over))) doom(over.i, over.j);
+  for (const auto &spent : bonds->spent())
+    if (spent.type == btype) doom(spent.i, spent.j);
   if (!told.empty()) tell();
   for (const auto &doomed : pending) {
     if (owns(doomed.low)) bonds->expect_cut(atom->map(doomed.low), doomed.high);
     if (owns(doomed.high)) bonds->expect_cut(atom->map(doomed.high), doomed.low);
   }
+}
+
+// that of the end with the lower ID decides
+void FixPotdemFailure::doom(int i, int j)
+{
+  const tagint *tag = atom->tag;
+  const int nlocal = atom->nlocal;
+  if (!(atom->mask[i] & atom->mask[j] & groupbit) || (j >= nlocal && tag[j] < tag[i])) return;
+  double del[3];
+  MathExtra::sub3(atom->x[j], atom->x[i], del);
+  pending.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]),
+                     bond_energy(i, tag[j], MathExtra::lensq3(del)),
+                     j < nlocal ? comm->me : owner[j - nlocal]});
+}
+
+bool FixPotdemFailure::in_tension(const BreakableBonds::Listed &bond) const
+{
+  double del[3];
+  MathExtra::sub3(atom->x[bond.j], atom->x[bond.i], del);
+  const double re = history->length(bond.i, history->slot(bond.i, atom->tag[bond.j]));
+  return MathExtra::lensq3(del) > re * re;
+}
+
+// bonds that a crack reaches
+void FixPotdemFailure::find_onsets()
+{
+  if (update->ntimestep % PERIOD) return;
+  BreakableBonds::CrackQuestion question{btype, groupbit, tension, scatter, owner, {}};
+  for (const auto &[rank, pairs] : told) question.sharing.push_back(rank);
+  for (const auto &one : bonds->reached_by_cracks(question)) {
+    const int slot = history->slot(one.i, atom->tag[one.j]);
+    if (toughness > 0.0)
+      bonds->soften(one.i, slot, softening_of(one, history->length(one.i, slot)));
+    else if (one.j >= atom->nlocal || atom->tag[one.i] < atom->tag[one.j])
+      doom(one.i, one.j);
+  }
+}
+
+// A bond across the crack ends at the crack's last opening. One that lies nearly in its plane says little of it, and has an end of its own
+POTDEM::Softening FixPotdemFailure::softening_of(const BreakableBonds::Reached &one,
+                                                 double re) const
+{
+  const double opening = 2.0 * toughness / one.stress;
+  const double elongation =
+      MAX(opening * MAX(one.cosine, LEAST_COSINE), LEAST_RANGE * re * one.strain);
+  const double x = 1.0 + elongation / re;
+  return {one.strain, POTDEM::truss_strain(x * x), 0.0};
 }
 
 // the ranks that this one shares bonds of the type with
@@ -388,11 +491,23 @@ void FixPotdemFailure::remove(const Doomed &doomed, double r2)
    over all ranks
 ------------------------------------------------------------------------- */
 
-FixPotdemFailure::Totals FixPotdemFailure::totals()
+FixPotdemFailure::Totals FixPotdemFailure::over_all_ranks(const Totals &mine) const
 {
   Totals all;
-  MPI_Allreduce(&lost, &all, sizeof(Totals) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, sizeof(Totals) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   return all;
+}
+
+// with the bonds that soften
+FixPotdemFailure::Totals FixPotdemFailure::totals() const
+{
+  Totals mine = lost;
+  for (const auto *const one : potdem_find<BreakableBonds>(lmp))
+    if (one->owns(btype)) {
+      mine.energy += one->softening_energy(btype);
+      mine.softening += one->softening_bonds(btype);
+    }
+  return over_all_ranks(mine);
 }
 
 // LAMMPS's number of bonds is one number, the same everywhere
@@ -412,7 +527,7 @@ double FixPotdemFailure::compute_scalar()
 double FixPotdemFailure::compute_vector(int n)
 {
   const auto all = totals();
-  const double values[3] = {all.energy, all.tension, all.compression};
+  const double values[4] = {all.energy, all.tension, all.compression, all.softening};
   return values[n];
 }
 
@@ -427,7 +542,7 @@ double FixPotdemFailure::memory_usage()
 // the run that writes goes on from one sum, too, like the one that will read it
 void FixPotdemFailure::write_restart(FILE *fp)
 {
-  const auto all = totals();
+  const auto all = over_all_ranks(lost);
   lost = comm->me == 0 ? all : Totals();
   if (comm->me == 0) potdem_write_block(fp, {all.energy, all.tension, all.compression});
 }
@@ -435,5 +550,5 @@ void FixPotdemFailure::write_restart(FILE *fp)
 void FixPotdemFailure::restart(char *buf)
 {
   const auto state = potdem_read_block(lmp, fmt::format("Fix potdem/failure {}", id), buf, 3);
-  if (comm->me == 0) lost = {state[0], state[1], state[2]};
+  if (comm->me == 0) lost = {state[0], state[1], state[2], 0.0};
 }

@@ -3,13 +3,13 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* fix potdem/failure: what bonds of one type bear, and the bonds that reached it, gone for good. How, see the .cpp */
+/* fix potdem/failure: what bonds of one type bear, and the bonds that reached it, gone for good, at once or when a crack has opened.
+   How, see the .cpp */
 
 #ifndef LMP_FIX_POTDEM_FAILURE_H
 #define LMP_FIX_POTDEM_FAILURE_H
 
 #include "core/laws/strength_scatter.h"
-
 #include "lammps/glue/interfaces.h"
 
 #include "fix_update_special_bonds.h"
@@ -47,11 +47,14 @@ class FixPotdemFailure :
   };
   struct Totals {
     double energy, tension, compression;    // fracture energy, and failed bonds
+    double softening;                       // bonds that are left and damaged
     double count() const { return tension + compression; }
   };
 
   int btype;
   double tension, compression;
+  double toughness;    // energy over area of a crack; 0: bonds fail at once
+  bool principal;      // in tension the stress of the solid decides, not that of a bond
   POTDEM::StrengthScatter scatter;
   Totals lost;              // since the first run, of what this rank decided
   bigint uncounted;         // of those: LAMMPS's number of bonds still has them
@@ -75,8 +78,14 @@ class FixPotdemFailure :
   int generation;    // of the bond list that they belong to
 
   static POTDEM::StrengthScatter read_scatter(class PotdemInput &);
+  static bool read_criterion(PotdemInput &);
   void follow_lists();
   void decide();
+  void doom(int i, int j);
+  void find_onsets();
+  POTDEM::Softening softening_of(const BreakableBonds::Reached &, double re) const;
+  void check_softening();
+  bool in_tension(const BreakableBonds::Listed &) const;
   void tell();
   bool owns(tagint) const;
   struct Apart {
@@ -91,7 +100,8 @@ class FixPotdemFailure :
   void find_bonds();
   void warn_if_idle();
   void remove(const Doomed &, double r2);
-  Totals totals();
+  Totals totals() const;
+  Totals over_all_ranks(const Totals &) const;
   void count_bonds();
 };
 

@@ -69,6 +69,11 @@ int PotdemBondNetwork::find(int i, int j) const
   return n >= 0 || j >= atom->nlocal ? n : find_partner(j, atom->tag[i]);
 }
 
+int PotdemBondNetwork::row_of(int n) const
+{
+  return static_cast<int>(std::upper_bound(first.begin(), first.end(), n) - first.begin()) - 1;
+}
+
 // a bond of zero stiffness and type 0 (which has no strength) until the list is rebuilt
 void PotdemBondNetwork::cut(int i, tagint partner_tag, bool in_list)
 {

@@ -40,6 +40,7 @@ class PotdemBondNetwork : protected Pointers {
   double modulus(int n) const { return 2.0 * half_modulus[n]; }
   double *state_of(int n) { return nstate ? &state[n * static_cast<bigint>(nstate)] : nullptr; }
   int find(int i, int j) const;    // bond of these two on this rank, or -1
+  int row_of(int n) const;         // atom that a bond is packed with
 
   // no force from here on; in_list: LAMMPS's list is the one that was ordered
   void cut(int i, tagint partner_tag, bool in_list);

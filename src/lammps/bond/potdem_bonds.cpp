@@ -353,16 +353,19 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     tagint partner;
     double length, area;
     FixPotdemBondHistory::Dilatation dilatation;
+    POTDEM::Softening softening;
   };
   std::vector<OldBond> old;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++)
       old.push_back({i, atom->bond_type[i][m], atom->bond_atom[i][m],
                      store ? store->length(i, m) : 0.0, store ? store->area(i, m) : 0.0,
-                     store ? store->dilatation(i, m) : FixPotdemBondHistory::Dilatation{}});
+                     store ? store->dilatation(i, m) : FixPotdemBondHistory::Dilatation{},
+                     store ? store->softening(i, m) : POTDEM::Softening{}});
   const double ghost_cutoff = store ? store->ghost_cutoff : -1.0;
   const bool keeps_areas = store && store->keeps_areas();
   const bool keeps_dilatations = store && store->keeps_dilatations();
+  const bool keeps_softening = store && store->keeps_softening();
   const auto known = store ? store->new_contacts : std::vector<PotdemNewContact>();
   if (store) modify->delete_fix(store->id);
 
@@ -372,6 +375,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
   store = FixPotdemBondHistory::create(lmp);
   if (keeps_areas) store->keep_areas();
   if (keeps_dilatations) store->keep_dilatations();
+  if (keeps_softening) store->keep_softening();
   store->ghost_cutoff = ghost_cutoff;
   store->new_contacts = known;
   std::fill(atom->num_bond, atom->num_bond + atom->nlocal, 0);
@@ -382,6 +386,7 @@ void PotdemBonds::grow_bonds_per_atom(int nbond)
     store->store(i, m, bond.length);
     if (keeps_areas) store->store_area(i, m, bond.area);
     if (keeps_dilatations) store->store_dilatation(i, m, bond.dilatation);
+    if (keeps_softening) store->store_softening(i, m, bond.softening);
   }
 }
 

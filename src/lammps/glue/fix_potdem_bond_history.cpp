@@ -33,7 +33,8 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 static constexpr char STORE_ID[] = "POTDEM_BONDS", AREAS_ID[] = "POTDEM_BONDS_AREAS",
-                      DILATATIONS_ID[] = "POTDEM_BONDS_DILATATIONS";
+                      DILATATIONS_ID[] = "POTDEM_BONDS_DILATATIONS",
+                      SOFTENING_ID[] = "POTDEM_BONDS_SOFTENING";
 // of the longest bond, so that not each rebuild begins twice; and what is less than this of the reach there is counts as
 // shorter
 static constexpr double SPARE_REACH = 1.05, LEAST_CHANGE = 0.9;
@@ -89,7 +90,8 @@ std::string FixPotdemBondHistory::gone() const
   const std::string mine = FixPotdemBondValues::gone();
   if (!mine.empty()) return mine;
   for (const auto &[one, id_of_fix] :
-       {std::pair(areas, AREAS_ID), std::pair(dilatations, DILATATIONS_ID)}) {
+       {std::pair(areas, AREAS_ID), std::pair(dilatations, DILATATIONS_ID),
+        std::pair(softenings, SOFTENING_ID)}) {
     if (!one) continue;
     const std::string lost = modify->get_fix_by_id(id_of_fix) == one ? one->gone() : id_of_fix;
     if (!lost.empty()) return lost;
@@ -101,15 +103,16 @@ std::string FixPotdemBondHistory::gone() const
 
 FixPotdemBondHistory::FixPotdemBondHistory(LAMMPS *lmp, int narg, char **arg) :
     FixPotdemBondValues(lmp, narg, arg), parted(lmp), generation(0), ghost_cutoff(-1.0),
-    widest(0.0), areas(nullptr), dilatations(nullptr), all_types(atom->nbondtypes + 1, 1),
-    exchanged(nullptr), exchanged_width(0), natoms_then(atom->natoms)
+    widest(0.0), areas(nullptr), dilatations(nullptr), softenings(nullptr),
+    all_types(atom->nbondtypes + 1, 1), exchanged(nullptr), exchanged_width(0),
+    natoms_then(atom->natoms)
 {
   setflag = all_types.data();
 }
 
 FixPotdemBondHistory::~FixPotdemBondHistory()
 {
-  for (const auto *const id_of_fix : {AREAS_ID, DILATATIONS_ID})
+  for (const auto *const id_of_fix : {AREAS_ID, DILATATIONS_ID, SOFTENING_ID})
     if (modify->get_fix_by_id(id_of_fix)) modify->delete_fix(id_of_fix);
   if (!force) return;    // LAMMPS ends
   for (auto *const bond : potdem_find<BondMemory>(lmp)) bond->lose_memory();
@@ -330,6 +333,7 @@ void FixPotdemBondHistory::store(int i, int m, double length)
   std::fill_n(state(i, m), NSTATE, 0.0);
   if (areas) store_area(i, m, 0.0);
   if (dilatations) store_dilatation(i, m, {});
+  if (softenings) store_softening(i, m, {});
 }
 
 // the style must not have the name of this one in its own: when a plugin goes, LAMMPS deletes its fixes by patterns of their styles
@@ -339,7 +343,7 @@ FixPotdemBondValues *FixPotdemBondHistory::values_of(const char *id_of_fix, int 
       modify->add_fix(fmt::format("{} all POTDEM_AREA_BOND_HISTORY 0 {}", id_of_fix, columns)));
 }
 
-// these two before any bond of a type for which they are found is computed
+// these before any bond of a type for which they are found is computed
 void FixPotdemBondHistory::keep_areas()
 {
   if (!areas) areas = values_of(AREAS_ID, 1);
@@ -362,6 +366,25 @@ FixPotdemBondHistory::Dilatation FixPotdemBondHistory::dilatation(int i, int slo
   if (!dilatations) return {};
   return {dilatations->get_atom_value(i, slot, 0), dilatations->get_atom_value(i, slot, 1),
           dilatations->get_atom_value(i, slot, 2)};
+}
+
+void FixPotdemBondHistory::keep_softening()
+{
+  if (!softenings) softenings = values_of(SOFTENING_ID, 3);
+}
+
+void FixPotdemBondHistory::store_softening(int i, int slot, const POTDEM::Softening &law)
+{
+  softenings->update_atom_value(i, slot, 0, law.onset);
+  softenings->update_atom_value(i, slot, 1, law.end);
+  softenings->update_atom_value(i, slot, 2, law.damage);
+}
+
+POTDEM::Softening FixPotdemBondHistory::softening(int i, int slot) const
+{
+  if (!softenings) return {};
+  return {softenings->get_atom_value(i, slot, 0), softenings->get_atom_value(i, slot, 1),
+          softenings->get_atom_value(i, slot, 2)};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -491,12 +514,13 @@ void FixPotdemBondHistory::write_restart(FILE *fp)
 {
   pre_exchange();
   const auto all = ends_and_sum();
-  if (comm->me == 0) potdem_write_block(fp, {ghost_cutoff, all[0], all[1]});
+  const double softened = softened_ends();
+  if (comm->me == 0) potdem_write_block(fp, {ghost_cutoff, all[0], all[1], softened});
 }
 
 void FixPotdemBondHistory::restart(char *buf)
 {
-  const auto state = potdem_read_block(lmp, "Bonds of bond_style potdem/truss", buf, 3);
+  const auto state = potdem_read_block(lmp, "Bonds of bond_style potdem/truss", buf, 4);
   ghost_cutoff = state[0];
   in_file.assign(state.begin() + 1, state.end());
 }
@@ -512,14 +536,30 @@ std::vector<double> FixPotdemBondHistory::ends_and_sum() const
       mine.add(&area_found, 1);
       const auto part = dilatation(i, m);
       if (dilatations) mine.add(&part.own, 3);
+      const auto law = softening(i, m);
+      if (softenings) mine.add(&law.onset, 3);
     }
   return {static_cast<double>(mine.count(world)), mine.value(world)};
+}
+
+double FixPotdemBondHistory::softened_ends() const
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) mine += softening(i, m).begun();
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
 }
 
 // once, before bonds are computed. Where the user has taken some away or added some since, nothing can be said
 void FixPotdemBondHistory::check_values()
 {
   if (in_file.empty()) return;
+  if (in_file.back() > 0.0 && !softenings)
+    error->all(FLERR,
+               "Bonds of the restart file have softened, and without a fix potdem/failure with an "
+               "energy they would be whole again: define that fix as it was, before the run");
+  in_file.pop_back();
   if (potdem_is_damaged(in_file, ends_and_sum()))
     error->all(
         FLERR,

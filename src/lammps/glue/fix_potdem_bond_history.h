@@ -4,14 +4,15 @@
 ------------------------------------------------------------------------- */
 
 /* What a bond remembers: its reference length and what its law keeps of it, in LAMMPS's own FixBondHistory (which carries
-   them through exchange, sorting and restart); its area in another one, only where areas are found, and its part in the change of
-   volume in a third one, only where Poisson's ratio is given. A bond that fails is
+   them through exchange, sorting and restart); its area in another one, only where areas are found, its part in the change of
+   volume in a third one, only where Poisson's ratio is given, and its damage in a fourth one, only where cracks cost an energy. A bond that fails is
    gone, from here and from LAMMPS's lists. Created by potdem_bonds or a bond style, one per simulation. */
 
 #ifndef LMP_FIX_POTDEM_BOND_HISTORY_H
 #define LMP_FIX_POTDEM_BOND_HISTORY_H
 
 #include "core/laws/law_list.h"
+#include "core/laws/softening.h"
 #include "lammps/glue/interfaces.h"
 #include "lammps/glue/potdem_pair_lists.h"
 
@@ -75,6 +76,11 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   bool keeps_dilatations() const { return dilatations; }
   void store_dilatation(int i, int slot, const Dilatation &);
   Dilatation dilatation(int i, int slot) const;
+  // what a crack that opens has done to it; the same at both ends, up to rounding
+  void keep_softening();
+  bool keeps_softening() const { return softenings; }
+  void store_softening(int i, int slot, const POTDEM::Softening &);
+  POTDEM::Softening softening(int i, int slot) const;
 
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double area(int i, int slot) const { return areas ? areas->get_atom_value(i, slot, 0) : 0.0; }
@@ -105,18 +111,20 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   void reach_at_most(double cutoff);
 
  private:
-  FixPotdemBondValues *areas, *dilatations;    // null where none are found
-  std::vector<int> all_types;                  // FixBondHistory asks which types it serves: all
+  FixPotdemBondValues *areas, *dilatations, *softenings;    // null where there are none
+  std::vector<int> all_types;    // FixBondHistory asks which types it serves: all
   double *exchanged;
   int exchanged_width;
   bigint natoms_then;    // particles in the simulation when bonds were looked at last
 
-  // of what the file that was read has of its bonds: how many ends, and their checksum; none: none was read, or it is checked
+  // of what the file that was read has of its bonds: how many ends, their checksum, and how many have softened; none: none was read, or it
+  // is checked
   std::vector<double> in_file;
 
   double **values() const;
   FixPotdemBondValues *values_of(const char *id_of_fix, int columns);
   std::vector<double> ends_and_sum() const;
+  double softened_ends() const;
   void check_values();
   double longest_new_bond() const;
   bool is_periodic() const;

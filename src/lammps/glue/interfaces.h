@@ -9,6 +9,9 @@
 #ifndef LMP_POTDEM_INTERFACES_H
 #define LMP_POTDEM_INTERFACES_H
 
+#include "core/laws/softening.h"
+#include "core/laws/strength_scatter.h"
+
 #include "lmptype.h"
 
 #include <vector>
@@ -95,11 +98,12 @@ class FailureCriterion : public Interface {
 // bonds that such a criterion takes away
 class BreakableBonds : public Interface {
  public:
-  struct Overstretched {
+  struct Listed {
     int i, j, type;    // owned atom, its partner
   };
   virtual bool owns(int type) const = 0;
-  virtual const std::vector<Overstretched> &overstretched() const = 0;     // in the last forces
+  virtual double youngs_modulus(int type) const = 0;
+  virtual const std::vector<Listed> &overstretched() const = 0;            // in the last forces
   virtual double energy_of_bond(int type, double r2, int i, int j) = 0;    // its own
   // of owned atom i, for each end that this rank has: it is to go in the next step; it goes, its ends at this distance, and has no
   // force from here on
@@ -107,6 +111,33 @@ class BreakableBonds : public Interface {
   virtual void cut(int i, tagint partner, double r2) = 0;
   // what those that went have set free beside their own energy since the last call, on this rank
   virtual double freed_energy(int type) = 0;
+
+  // which bonds of a type a crack may reach, and at which stress
+  struct CrackQuestion {
+    int type, groupbit;
+    double strength;
+    const POTDEM::StrengthScatter &scatter;
+    const std::vector<int> &owner_of_ghost;
+    std::vector<int> sharing;    // ranks that have ends of bonds of atoms of this one
+  };
+  // one that it has reached, at an end that this rank owns
+  struct Reached {
+    int i, j;         // owned atom, its partner
+    double strain;    // of the bond
+    double stress;    // that has reached the strength
+    double cosine;    // between the bond and the direction of the largest stress, >= 0
+  };
+  // of those that are overstretched. Collective among the ranks that share bonds
+  virtual std::vector<Reached> reached_by_cracks(const CrackQuestion &) = 0;
+
+  // why those of a type cannot soften: what bond_coeff gives them; null: they can
+  virtual const char *cannot_soften(int type) const = 0;
+  // from now on, at an end that this rank owns
+  virtual void soften(int i, int slot, const POTDEM::Softening &) = 0;
+  virtual const std::vector<Listed> &spent() const = 0;    // by the end of their softening
+  virtual double
+  softening_energy(int type) const = 0;               // lost by bonds that are left, on this rank
+  virtual int softening_bonds(int type) const = 0;    // how many, on this rank
 };
 
 // asks to be told when the fix that warns is removed
