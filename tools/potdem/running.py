@@ -64,7 +64,9 @@ def environment(**more):
     if os.getuid() == 0:
         settings.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     folders = [str(MATERIALS), *filter(None, [os.environ.get("LAMMPS_POTENTIALS")])]
-    return {**settings, **os.environ, "LAMMPS_POTENTIALS": os.pathsep.join(folders), **more}
+    # key by key: pytest changes one of its own while other threads start LAMMPS
+    here = {name: value for name in list(os.environ) if (value := os.environ.get(name)) is not None}
+    return {**settings, **here, "LAMMPS_POTENTIALS": os.pathsep.join(folders), **more}
 
 
 def command(script, variables, log="none", nprocs=1, lmp=None, threads=1):
