@@ -549,10 +549,9 @@ const char *BondPotdemBase::cannot_soften(int type) const
   return has_penetration(type) ? "penetration" : nullptr;
 }
 
-void BondPotdemBase::soften(int i, int slot, const POTDEM::Softening &law)
+void BondPotdemBase::soften(int i, int j, const POTDEM::Softening &law)
 {
-  history->store_softening(i, slot, law);
-  softening.add(i, atom->bond_atom[i][slot], law);
+  softening.add(*history, i, j, law);
 }
 
 /* ----------------------------------------------------------------------

@@ -66,7 +66,7 @@ class BondPotdemBase :
   double freed_energy(int type) override { return volume.freed_energy(type); }
   std::vector<Reached> reached_by_cracks(const CrackQuestion &) override;
   const char *cannot_soften(int type) const override;
-  void soften(int i, int slot, const POTDEM::Softening &) override;
+  void soften(int i, int j, const POTDEM::Softening &) override;
   const std::vector<Listed> &spent() const override { return softening.spent(); }
   double softening_energy(int type) const override { return softening.lost_energy(type); }
   int softening_bonds(int type) const override { return softening.count(type); }

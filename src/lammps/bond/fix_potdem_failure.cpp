@@ -304,10 +304,10 @@ void FixPotdemFailure::find_onsets()
   BreakableBonds::CrackQuestion question{btype, groupbit, tension, scatter, owner, {}};
   for (const auto &[rank, pairs] : told) question.sharing.push_back(rank);
   for (const auto &one : bonds->reached_by_cracks(question)) {
-    const int slot = history->slot(one.i, atom->tag[one.j]);
+    const double re = history->length(one.i, history->slot(one.i, atom->tag[one.j]));
     if (toughness > 0.0)
-      bonds->soften(one.i, slot, softening_of(one, history->length(one.i, slot)));
-    else if (one.j >= atom->nlocal || atom->tag[one.i] < atom->tag[one.j])
+      bonds->soften(one.i, one.j, softening_of(one, re));
+    else
       doom(one.i, one.j);
   }
 }

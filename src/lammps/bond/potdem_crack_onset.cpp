@@ -57,19 +57,20 @@ PotdemCrackOnset::find(const BreakableBonds::CrackQuestion &question, double E,
   find_loaded(loaded, question.type);
   for (const int i : loaded_atoms) {
     stress_of[i] = static_cast<int>(stresses.size());
-    stresses.push_back(stress_at(i, question.type, E));
+    stresses.push_back(stress_at(i, question, E));
   }
   if (!question.sharing.empty()) tell(question);
 
   std::vector<BreakableBonds::Reached> reached;
-  for (const int i : loaded_atoms)
-    for (int k = first[i]; k < first[i + 1]; k++) {
-      const int n = ends[k].bond, j = ends[k].other;
-      if (network.type[n] != question.type || softening.is_among(n) ||
-          !(atom->mask[i] & atom->mask[j] & question.groupbit))
+  if (stresses.empty()) return reached;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int n = network.first[i]; n < network.first[i + 1]; n++) {
+      const int j = network.partner[n];
+      if ((stress_of[i] == NONE && stress_of[j] == NONE) || network.type[n] != question.type ||
+          softening.is_among(n) || !(atom->mask[i] & atom->mask[j] & question.groupbit))
         continue;
       double del[3];
-      BreakableBonds::Reached one{i, j, strain(i, ends[k], del), 0.0, 1.0};
+      BreakableBonds::Reached one{i, j, strain(i, {n, j}, del), 0.0, 1.0};
       if (is_reached(question, E, del, one)) reached.push_back(one);
     }
   return reached;
@@ -123,13 +124,14 @@ void PotdemCrackOnset::find_loaded(const std::vector<BreakableBonds::Listed> &lo
 }
 
 // with the strain of all its bonds of the type
-PotdemCrackOnset::Stress PotdemCrackOnset::stress_at(int i, int type, double E) const
+PotdemCrackOnset::Stress
+PotdemCrackOnset::stress_at(int i, const BreakableBonds::CrackQuestion &question, double E) const
 {
   POTDEM::StrainFit fit;
   POTDEM::StrainSum<double> sum;
   for (int k = first[i]; k < first[i + 1]; k++) {
     const int n = ends[k].bond;
-    if (network.type[n] != type) continue;
+    if (network.type[n] != question.type) continue;
     double del[3];
     const double eps = strain(i, ends[k], del);
     const double left = eps > 0.0 ? 1.0 - softening.damage(n) : 1.0;
@@ -141,8 +143,7 @@ PotdemCrackOnset::Stress PotdemCrackOnset::stress_at(int i, int type, double E) 
   if (plane)
     for (const int k : {2, 4, 5}) fit.matrix[k][k] = fit.matrix[0][0] + fit.matrix[1][1];
 
-  Stress stress{};
-  stress.bound = NAN;
+  Stress stress{NAN, {}};
   POTDEM::StrainInverse inverse;
   if (!fit.invert(SINGULAR, inverse)) return stress;
   double e[6];
@@ -152,10 +153,15 @@ PotdemCrackOnset::Stress PotdemCrackOnset::stress_at(int i, int type, double E) 
   const double lame = twice_shear * nu / (plane ? 1.0 - nu : 1.0 - 2.0 * nu);
   const double mean = lame * (e[0] + e[1] + e[2]);
   static constexpr int AT[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+  double tensor[3][3], values[3], vectors[3][3];
   for (int a = 0; a < 3; a++)
-    for (int b = 0; b < 3; b++) stress.of[a][b] = twice_shear * e[AT[a][b]];
-  for (int a = 0; a < domain->dimension; a++) stress.of[a][a] += mean;
-  stress.bound = bound_of(stress.of);
+    for (int b = 0; b < 3; b++) tensor[a][b] = twice_shear * e[AT[a][b]];
+  for (int a = 0; a < domain->dimension; a++) tensor[a][a] += mean;
+  stress.largest = bound_of(tensor);
+  if (stress.largest < question.strength && !question.scatter.active()) return stress;
+  if (MathEigen::jacobi3(tensor, values, vectors) != 0) return {NAN, {}};
+  stress.largest = values[0];
+  for (int k = 0; k < 3; k++) stress.direction[k] = vectors[k][0];
   return stress;
 }
 
@@ -197,26 +203,17 @@ bool PotdemCrackOnset::is_reached(const BreakableBonds::CrackQuestion &question,
   if (one.strain <= 0.0) return false;
   const double strength =
       question.strength * question.scatter.factor(atom->tag[one.i], atom->tag[one.j]);
-  double bound = 0.0;
-  const Stress *known[2];
-  int count = 0;
+  const Stress *decisive = nullptr;
   for (const int end : {one.i, one.j}) {
-    if (stress_of[end] == NONE || !std::isfinite(stresses[stress_of[end]].bound)) continue;
-    known[count] = &stresses[stress_of[end]];
-    bound += 0.5 * known[count++]->bound;
+    if (stress_of[end] == NONE) continue;
+    const auto *const known = &stresses[stress_of[end]];
+    if (std::isfinite(known->largest) && (!decisive || known->largest > decisive->largest))
+      decisive = known;
   }
-  one.stress = E * one.strain;
-  if (count < 2) return one.stress >= strength;
-  // the largest principal stress of a mean is not above the mean of what they are not above
-  if (bound < strength) return false;
-  double mean[3][3], values[3], vectors[3][3];
-  for (int a = 0; a < 3; a++)
-    for (int b = 0; b < 3; b++) mean[a][b] = 0.5 * (known[0]->of[a][b] + known[1]->of[a][b]);
-  MathEigen::jacobi3(mean, values, vectors);    // in columns
-  const double direction[3] = {vectors[0][0], vectors[1][0], vectors[2][0]};
-  one.cosine = fabs(MathExtra::dot3(direction, del)) / MathExtra::len3(del);
-  one.stress = values[0];
-  return one.stress >= strength;
+  one.stress = decisive ? decisive->largest : E * one.strain;
+  if (one.stress < strength) return false;
+  if (decisive) one.cosine = fabs(MathExtra::dot3(decisive->direction, del)) / MathExtra::len3(del);
+  return true;
 }
 
 double PotdemCrackOnset::memory_usage() const

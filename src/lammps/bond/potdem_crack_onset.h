@@ -3,14 +3,14 @@
    Distributed under the GNU General Public License, version 2
 ------------------------------------------------------------------------- */
 
-/* Where a solid cracks, whatever the directions of its bonds: a bond is reached by a crack when the largest principal stress there,
-   that of the mean stress of its two particles, reaches the tensile strength.
+/* Where a solid cracks, whatever the directions of its bonds: a bond is reached by a crack when the largest principal stress of one of
+   its particles reaches the tensile strength; the direction of that stress is the normal of the crack.
 
    The stress of a particle is Hooke's, E and nu of the network, for the strain that fits its bonds best (core/laws/green_lagrange.h),
    each counted as stiff as it is: A E re (1 - D). Such a strain is exact where the strain is uniform, at surfaces too, and beside an
    open crack it is that of the side on which the particle is. The stress of a particle is looked for only if one of its bonds has
    reached LOADED of the strength, which the largest principal stress cannot precede. Where bonds do not tell the strain of
-   both particles (a chain, a layer one particle thick in three dimensions) the bond's own stress decides. */
+   either particle (a chain, a layer one particle thick in three dimensions) the bond's own stress decides. */
 
 #ifndef LMP_POTDEM_CRACK_ONSET_H
 #define LMP_POTDEM_CRACK_ONSET_H
@@ -35,8 +35,9 @@ class PotdemCrackOnset : protected Pointers {
 
  private:
   struct Stress {
-    double of[3][3];
-    double bound;    // no principal stress is above it; not finite: the bonds do not tell
+    double
+        largest;    // principal one, or something between it and the strength; not finite: the bonds do not tell
+    double direction[3];    // its own
   };
   struct Told {
     tagint tag;
@@ -61,7 +62,7 @@ class PotdemCrackOnset : protected Pointers {
   void follow_lists(int generation);
   double strain(int i, const End &, double *del) const;
   void find_loaded(const std::vector<BreakableBonds::Listed> &, int type);
-  Stress stress_at(int i, int type, double E) const;
+  Stress stress_at(int i, const BreakableBonds::CrackQuestion &, double E) const;
   void tell(const BreakableBonds::CrackQuestion &);
   bool is_reached(const BreakableBonds::CrackQuestion &, double E, const double *del,
                   BreakableBonds::Reached &) const;

@@ -44,12 +44,14 @@ std::vector<PotdemSoftening::Bond>::const_iterator PotdemSoftening::place(int n)
 
 /* ---------------------------------------------------------------------- */
 
-void PotdemSoftening::add(int i, tagint partner, const POTDEM::Softening &law)
+void PotdemSoftening::add(FixPotdemBondHistory &history, int i, int j, const POTDEM::Softening &law)
 {
-  const int n = network.find(i, atom->map(partner));
+  const int n = network.find(i, j);
   if (n < 0 || among[n]) return;
-  bonds.insert(place(n), {network.row_of(n), n, law, 1.0});
+  const Bond bond{network.row_of(n), n, law, 1.0};
+  bonds.insert(place(n), bond);
   among[n] = 1;
+  remember(history, bond);
 }
 
 void PotdemSoftening::remove(int i, tagint partner)

@@ -38,8 +38,8 @@ class PotdemSoftening : protected Pointers {
 
   // of the bonds that were packed anew
   void take(const class FixPotdemBondHistory &);
-  // of these bonds one more, or the one that goes; between two atoms of this rank once
-  void add(int i, tagint partner, const POTDEM::Softening &);
+  // of these bonds one more, or the one that goes
+  void add(FixPotdemBondHistory &, int i, int j, const POTDEM::Softening &);
   void remove(int i, tagint partner);
   // distances as they are; damage grows if `grows`
   void follow(class FixPotdemBondHistory &, bool grows);

@@ -120,7 +120,7 @@ class BreakableBonds : public Interface {
     const std::vector<int> &owner_of_ghost;
     std::vector<int> sharing;    // ranks that have ends of bonds of atoms of this one
   };
-  // one that it has reached, at an end that this rank owns
+  // one that it has reached; between two atoms of this rank once
   struct Reached {
     int i, j;         // owned atom, its partner
     double strain;    // of the bond
@@ -132,8 +132,8 @@ class BreakableBonds : public Interface {
 
   // why those of a type cannot soften: what bond_coeff gives them; null: they can
   virtual const char *cannot_soften(int type) const = 0;
-  // from now on, at an end that this rank owns
-  virtual void soften(int i, int slot, const POTDEM::Softening &) = 0;
+  // from now on, at each end that this rank owns
+  virtual void soften(int i, int j, const POTDEM::Softening &) = 0;
   virtual const std::vector<Listed> &spent() const = 0;    // by the end of their softening
   virtual double
   softening_energy(int type) const = 0;               // lost by bonds that are left, on this rank
