@@ -371,7 +371,8 @@ void BondPotdemBase::collect(const ThreadShare &share)
 // the rank of a ghost does the same bond for itself
 void BondPotdemBase::take_damage(const ThreadShare &share)
 {
-  for (auto *bond = softening.begin(share.from); bond != softening.end(share.to); ++bond) {
+  const auto *const end = softening.end(share.to);
+  for (const auto *bond = softening.begin(share.from); bond != end; ++bond) {
     const int i = bond->i, n = bond->n, j = bonds.partner[n], type = bonds.type[n];
     const double loss = bond->loss();
     if (loss == 0.0 || type == 0) continue;

@@ -164,7 +164,8 @@ POTDEM_FUNCTION inline bool BondPotdem<Law>::take(const Inputs &in, ThreadShare 
   double *const state = Law::STATE > 0 ? bonds.state_of(n) : nullptr;
   const double load = potdem_bond_load<PENETRATION, Law>(in.kernel[type], q, state);
   const double scale = FAIL == BondStrengths::BY_BOND ? in.scale[n] : 1.0;
-  if (FAIL && in.strength[type].reached_by(load, scale)) share.over.push_back({i, j, type});
+  if (FAIL && in.strength[type].reached_by(load, scale))
+    share.over.push_back({i, j, type, n, load > 0.0});
   double pull = in.half_modulus[n] * load * inverse_r, of_volume = 0.0;
   if (in.roots)
     if (const double *const root = in.roots[type]) {

@@ -266,7 +266,7 @@ void FixPotdemFailure::decide()
   lost.energy += bonds->freed_energy(btype);
   if (principal) find_onsets();
   for (const auto &over : bonds->overstretched())
-    if (over.type == btype && !(principal && in_tension(over))) doom(over.i, over.j);
+    if (over.type == btype && !(principal && over.tension)) doom(over.i, over.j);
   for (const auto &spent : bonds->spent())
     if (spent.type == btype) doom(spent.i, spent.j);
   if (!told.empty()) tell();
@@ -287,14 +287,6 @@ void FixPotdemFailure::doom(int i, int j)
   pending.push_back({MIN(tag[i], tag[j]), MAX(tag[i], tag[j]),
                      bond_energy(i, tag[j], MathExtra::lensq3(del)),
                      j < nlocal ? comm->me : owner[j - nlocal]});
-}
-
-bool FixPotdemFailure::in_tension(const BreakableBonds::Listed &bond) const
-{
-  double del[3];
-  MathExtra::sub3(atom->x[bond.j], atom->x[bond.i], del);
-  const double re = history->length(bond.i, history->slot(bond.i, atom->tag[bond.j]));
-  return MathExtra::lensq3(del) > re * re;
 }
 
 // bonds that a crack reaches

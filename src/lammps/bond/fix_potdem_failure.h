@@ -85,7 +85,6 @@ class FixPotdemFailure :
   void find_onsets();
   POTDEM::Softening softening_of(const BreakableBonds::Reached &, double re) const;
   void check_softening();
-  bool in_tension(const BreakableBonds::Listed &) const;
   void tell();
   bool owns(tagint) const;
   struct Apart {

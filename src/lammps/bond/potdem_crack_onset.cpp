@@ -114,7 +114,7 @@ void PotdemCrackOnset::find_loaded(const std::vector<BreakableBonds::Listed> &lo
   stresses.clear();
   loaded_atoms.clear();
   for (const auto &one : loaded) {
-    if (one.type != type) continue;
+    if (one.type != type || softening.is_among(one.packed)) continue;
     for (const int end : {one.i, one.j}) {
       if (end >= nlocal || stress_of[end] != NONE) continue;
       stress_of[end] = 0;

@@ -8,8 +8,8 @@
 
    The stress of a particle is Hooke's, E and nu of the network, for the strain that fits its bonds best (core/laws/green_lagrange.h),
    each counted as stiff as it is: A E re (1 - D). Such a strain is exact where the strain is uniform, at surfaces too, and beside an
-   open crack it is that of the side on which the particle is. The stress of a particle is looked for only if one of its bonds has
-   reached LOADED of the strength, which the largest principal stress cannot precede. Where bonds do not tell the strain of
+   open crack it is that of the side on which the particle is. The stress of a particle is looked for only if one of its bonds that do
+   not soften yet has reached LOADED of the strength, which the largest principal stress cannot precede. Where bonds do not tell the strain of
    either particle (a chain, a layer one particle thick in three dimensions) the bond's own stress decides. */
 
 #ifndef LMP_POTDEM_CRACK_ONSET_H

@@ -75,7 +75,8 @@ void PotdemSoftening::follow(FixPotdemBondHistory &history, bool grows)
       bond.law.damage = damage;
       remember(history, bond);
     }
-    if (bond.law.spent()) ended.push_back({bond.i, network.partner[bond.n], network.type[bond.n]});
+    if (bond.law.spent())
+      ended.push_back({bond.i, network.partner[bond.n], network.type[bond.n], bond.n, true});
   }
 }
 

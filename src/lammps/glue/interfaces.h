@@ -100,6 +100,8 @@ class BreakableBonds : public Interface {
  public:
   struct Listed {
     int i, j, type;    // owned atom, its partner
+    int packed;        // its number in the style
+    bool tension;
   };
   virtual bool owns(int type) const = 0;
   virtual double youngs_modulus(int type) const = 0;
