@@ -204,7 +204,8 @@ bool PotdemCrackOnset::is_reached(const BreakableBonds::CrackQuestion &question,
   const double strength =
       question.strength * question.scatter.factor(atom->tag[one.i], atom->tag[one.j]);
   const Stress *decisive = nullptr;
-  for (const int end : {one.i, one.j}) {
+  const bool in_order = atom->tag[one.i] < atom->tag[one.j];    // on each rank, if they are equal
+  for (const int end : {in_order ? one.i : one.j, in_order ? one.j : one.i}) {
     if (stress_of[end] == NONE) continue;
     const auto *const known = &stresses[stress_of[end]];
     if (std::isfinite(known->largest) && (!decisive || known->largest > decisive->largest))
