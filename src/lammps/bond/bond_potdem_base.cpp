@@ -262,10 +262,10 @@ void BondPotdemBase::pack()
   for (int type = 1; type <= atom->nbondtypes; type++) ours[type] = owns(type);
   bonds.order(ours, damped, strengths.kind() == BondStrengths::BY_BOND);
   volume.make_room();
+  softening.make_room(*history);
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = bonds.first[i]; n < bonds.first[i + 1]; n++) pack_bond(i, n);
   bonds.take_state(*history);
-  softening.take(*history);
 }
 
 void BondPotdemBase::pack_bond(int i, int n)
@@ -275,6 +275,7 @@ void BondPotdemBase::pack_bond(int i, int n)
   const auto part = history->dilatation(i, slot);
   check_solid(type, part.solid);
   if (volume.exists()) volume.take(n, part);
+  if (history->keeps_softening()) softening.take(i, n, history->softening(i, slot));
   const double re = history->length(i, slot);
   const double EA = modulus(type) * section(type, i, j, slot);
   bonds.inverse_length2[n] = 1.0 / (re * re);

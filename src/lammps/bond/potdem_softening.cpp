@@ -20,19 +20,18 @@ PotdemSoftening::PotdemSoftening(LAMMPS *lmp, const PotdemBondNetwork &network) 
 {
 }
 
-void PotdemSoftening::take(const FixPotdemBondHistory &history)
+void PotdemSoftening::make_room(const FixPotdemBondHistory &history)
 {
   bonds.clear();
-  among.clear();
   ended.clear();
-  if (!history.keeps_softening()) return;
-  among.assign(network.size(), 0);
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int n = network.first[i]; n < network.first[i + 1]; n++) {
-      const auto law = history.softening(i, history.slot(i, atom->tag[network.partner[n]]));
-      among[n] = law.begun();
-      if (law.begun()) bonds.push_back({i, n, law, 1.0});
-    }
+  among.assign(history.keeps_softening() ? network.size() : 0, 0);
+}
+
+void PotdemSoftening::take(int i, int n, const POTDEM::Softening &law)
+{
+  if (!law.begun()) return;
+  bonds.push_back({i, n, law, 1.0});
+  among[n] = 1;
 }
 
 std::vector<PotdemSoftening::Bond>::const_iterator PotdemSoftening::place(int n) const
@@ -98,11 +97,6 @@ const PotdemSoftening::Bond *PotdemSoftening::begin(int from) const
                           });
 }
 
-double PotdemSoftening::lost(const Bond &bond) const
-{
-  return bond.law.lost() * network.modulus(bond.n) * network.length(bond.n);
-}
-
 bool PotdemSoftening::counts(const Bond &bond) const
 {
   const int j = network.partner[bond.n];
@@ -113,7 +107,8 @@ double PotdemSoftening::lost_energy(int type) const
 {
   double sum = 0.0;
   for (const auto &bond : bonds)
-    if (network.type[bond.n] == type && counts(bond)) sum += lost(bond);
+    if (network.type[bond.n] == type && counts(bond))
+      sum += bond.law.lost() * network.modulus(bond.n) * network.length(bond.n);
   return sum;
 }
 

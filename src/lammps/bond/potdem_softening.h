@@ -36,8 +36,9 @@ class PotdemSoftening : protected Pointers {
   bool is_among(int n) const { return !among.empty() && among[n]; }
   double damage(int n) const { return is_among(n) ? place(n)->law.damage : 0.0; }
 
-  // of the bonds that were packed anew
-  void take(const class FixPotdemBondHistory &);
+  // the bonds are packed anew; what the memory has of each, in their order
+  void make_room(const class FixPotdemBondHistory &);
+  void take(int i, int n, const POTDEM::Softening &);
   // of these bonds one more, or the one that goes
   void add(FixPotdemBondHistory &, int i, int j, const POTDEM::Softening &);
   void remove(int i, tagint partner);
@@ -47,15 +48,12 @@ class PotdemSoftening : protected Pointers {
   // in the order of their atoms: those of atoms from <= i < to
   const Bond *begin(int from) const;
   const Bond *end(int to) const { return begin(to); }
-  const std::vector<Bond> &all() const { return bonds; }
   // owned atom, partner, type; their faces are free
   const std::vector<BreakableBonds::Listed> &spent() const { return ended; }
 
-  // of one intact bond in tension over its elastic energy now
-  double lost(const Bond &) const;
-  double
-  lost_energy(int type) const;    // of all on this rank, those shared with another one by its owner
-  int count(int type) const;      // likewise
+  // of a type, on this rank: what has been lost, and how many there are. One that is shared with another rank counts at the lower ID
+  double lost_energy(int type) const;
+  int count(int type) const;
 
   double memory_usage() const { return bonds.capacity() * sizeof(Bond) + among.capacity(); }
 

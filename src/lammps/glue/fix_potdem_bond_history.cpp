@@ -354,37 +354,9 @@ void FixPotdemBondHistory::keep_dilatations()
   if (!dilatations) dilatations = values_of(DILATATIONS_ID, 3);
 }
 
-void FixPotdemBondHistory::store_dilatation(int i, int slot, const Dilatation &one)
-{
-  dilatations->update_atom_value(i, slot, 0, one.own);
-  dilatations->update_atom_value(i, slot, 1, one.other);
-  dilatations->update_atom_value(i, slot, 2, one.solid);
-}
-
-FixPotdemBondHistory::Dilatation FixPotdemBondHistory::dilatation(int i, int slot) const
-{
-  if (!dilatations) return {};
-  return {dilatations->get_atom_value(i, slot, 0), dilatations->get_atom_value(i, slot, 1),
-          dilatations->get_atom_value(i, slot, 2)};
-}
-
 void FixPotdemBondHistory::keep_softening()
 {
   if (!softenings) softenings = values_of(SOFTENING_ID, 3);
-}
-
-void FixPotdemBondHistory::store_softening(int i, int slot, const POTDEM::Softening &law)
-{
-  softenings->update_atom_value(i, slot, 0, law.onset);
-  softenings->update_atom_value(i, slot, 1, law.end);
-  softenings->update_atom_value(i, slot, 2, law.damage);
-}
-
-POTDEM::Softening FixPotdemBondHistory::softening(int i, int slot) const
-{
-  if (!softenings) return {};
-  return {softenings->get_atom_value(i, slot, 0), softenings->get_atom_value(i, slot, 1),
-          softenings->get_atom_value(i, slot, 2)};
 }
 
 /* ---------------------------------------------------------------------- */

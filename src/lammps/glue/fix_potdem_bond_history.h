@@ -29,6 +29,22 @@ class FixPotdemBondValues : public FixBondHistory {
   FixPotdemBondValues(LAMMPS *lmp, int narg, char **arg) : FixBondHistory(lmp, narg, arg) {}
   int setmask() override { return 0; }
   virtual std::string gone() const;    // ID of a fix that it needs and that was taken away
+
+  // all columns of a bond, a struct of as many doubles
+  template <class Row> void put(int i, int slot, const Row &row)
+  {
+    static_assert(sizeof(Row) % sizeof(double) == 0, "a row of doubles");
+    const auto *const values = reinterpret_cast<const double *>(&row);
+    for (int k = 0; k < ndata; k++) update_atom_value(i, slot, k, values[k]);
+  }
+  template <class Row> Row get(int i, int slot)
+  {
+    static_assert(sizeof(Row) % sizeof(double) == 0, "a row of doubles");
+    Row row;
+    auto *const values = reinterpret_cast<double *>(&row);
+    for (int k = 0; k < ndata; k++) values[k] = get_atom_value(i, slot, k);
+    return row;
+  }
 };
 
 class FixPotdemBondHistory : public FixPotdemBondValues {
@@ -74,13 +90,22 @@ class FixPotdemBondHistory : public FixPotdemBondValues {
   };
   void keep_dilatations();
   bool keeps_dilatations() const { return dilatations; }
-  void store_dilatation(int i, int slot, const Dilatation &);
-  Dilatation dilatation(int i, int slot) const;
+  void store_dilatation(int i, int slot, const Dilatation &one) { dilatations->put(i, slot, one); }
+  Dilatation dilatation(int i, int slot) const
+  {
+    return dilatations ? dilatations->get<Dilatation>(i, slot) : Dilatation{};
+  }
   // what a crack that opens has done to it; the same at both ends, up to rounding
   void keep_softening();
   bool keeps_softening() const { return softenings; }
-  void store_softening(int i, int slot, const POTDEM::Softening &);
-  POTDEM::Softening softening(int i, int slot) const;
+  void store_softening(int i, int slot, const POTDEM::Softening &law)
+  {
+    softenings->put(i, slot, law);
+  }
+  POTDEM::Softening softening(int i, int slot) const
+  {
+    return softenings ? softenings->get<POTDEM::Softening>(i, slot) : POTDEM::Softening();
+  }
 
   double length(int i, int slot) const { return values()[i][slot * NDATA + LENGTH]; }
   double area(int i, int slot) const { return areas ? areas->get_atom_value(i, slot, 0) : 0.0; }
